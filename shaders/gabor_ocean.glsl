@@ -24,16 +24,15 @@
 #define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
 #endif
 
-// Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
+// Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
     vec2 slopes;     // variance of the slopes along the wind and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
-    int low;         // the lowest frequency, 1 / sqrt(2) of the highest
-    int quarter;     // a quarter of the range of frequencies
-    ivec3 share;     // of 1024 waves, those in the lowest quarter, in the lowest two and in the lowest three
-    ivec4 lean;      // 1024 times how much likelier low frequencies are than high ones, in each quarter
-    ivec2 spread;    // sin(d / 2) of an angle d from the wind is a u + b u^3, u uniform in [-1, 1], here times 32768
+    float low;       // 65536 times the lowest frequency in Hz
+    vec4 quarter;    // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
+    vec3 spread;     // sin(d / 2) of an angle d from the wind is a u + b u^3 + c v, u and v uniform in [-1, 1], here times 4092,
+    vec2 widen;      // times a linear function of the frequency, here times 16384
     ivec2 drift;     // 32768 times the group velocity in nodes per second
 };
 
@@ -82,16 +81,31 @@ struct GaborWater {
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum. A
-// node's frequency F is an integer, and so is the cosine of its angle to the wind: its phase is exact after any time, and
-// the same on every device. Its wave number follows from F by the dispersion relation of deep water, (2 pi f)^2 = g |2 pi k|.
-// The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from there, phases turn
-// by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d.
+// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
+// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
+//
+// Bands 1 to 3 hold most of the height. There, three nodes along each axis, of normal amplitudes, keep it normal. In the
+// other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
+// waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
-float gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz
-    float below = peak / f, apart = (f / peak - 1.0) / (f < peak ? 0.07 : 0.09);
+vec2 gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz, and the same times f^4
+    float below = peak / f, apart = (f / peak - 1.0) / (f < peak ? 0.07 : 0.09), squares = f * f * f * f;
     below *= below;
-    return scale / (f * f * f * f * f) * exp(-1.25 * below * below + 1.1939225 * exp(-0.5 * apart * apart)); // ln 3.3
+    return scale / f * exp(1.1939225 * exp(-0.5 * apart * apart) - 1.25 * below * below) * vec2(1.0 / squares, 1.0); // ln 3.3
+}
+
+// The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
+// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+float gabor_impl_quantile(float share, vec4 sums, vec4 starts, vec4 ends) {
+    share *= sums.w;
+    vec4 found = share < sums.x ? vec4(0.0, sums.x, starts.x, ends.x) : share < sums.y ? vec4(sums.xy, starts.y, ends.y)
+               : share < sums.z ? vec4(sums.yz, starts.z, ends.z) : vec4(sums.zw, starts.w, ends.w);
+    float rest = (share - found.x) / (found.y - found.x), start = 2.0 * found.z / (found.z + found.w);
+    float within = 2.0 * rest / (start + sqrt(max(start * start + 4.0 * (1.0 - start) * rest, 0.0)));
+    return 106.0 * (within + (share < sums.x ? 0.0 : share < sums.y ? 1.0 : share < sums.z ? 2.0 : 3.0));
 }
 
 GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
@@ -107,42 +121,50 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
     int power = int(floor(log2(0.62 * peak / tick)));
     ocean.tail = vec2(0.00316, 0.00192) * ocean.wind + vec2(0.0, 0.003);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
-        float low = exp2(float(power) + 0.5 * float(i)), width = 0.10355339 * low; // (sqrt(2) - 1) / 4
-        float sum = 0.0, slopes = 0.0, variance = 0.0, first = gabor_impl_spectrum(tick * low, peak, scale);
-        vec4 sums = vec4(0.0), leans = vec4(0.0);
+        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0, width = 0.10351562 * low, variance = 0.0;
+        vec2 sum = vec2(0.0), first = gabor_impl_spectrum(tick * low, peak, scale);
+        vec4 sums = vec4(0.0), starts = vec4(0.0), ends = vec4(0.0), fit = vec4(0.0);
         for (int j = 0; j < 4; ++j) { // Simpson's rule
-            float f = tick * (low + float(j) * width), step = tick * width;
-            float middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
-            float part = step / 6.0 * (first + 4.0 * middle + last), between = f + 0.5 * step;
+            float f = tick * (low + float(j) * width), step = tick * width, x = 106.0 * float(j) - 159.0; // rise - 1236
+            vec2 middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
+            vec2 part = step / 6.0 * (first + 4.0 * middle + last);
             sum += part;
             // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-            float above = between / peak;
-            variance += part * 0.5 / (9.77 * pow(above, above < 1.0 ? 4.06 : -2.34) + 1.0);
-            slopes += part * between * between * between * between;
-            sums = vec4(sums.yzw, sum);
-            leans = vec4(leans.yzw, (first - last) / (first + last));
+            float above = (f + 0.5 * step) / peak, here = 0.5 / (9.77 * pow(above, above < 1.0 ? 4.06 : -2.34) + 1.0);
+            variance += part.x * here;
+            fit += part.x * vec4(x, sqrt(here), x * x, x * sqrt(here));
+            sums = vec4(sums.yzw, sum.x);
+            starts = vec4(starts.yzw, first.x);
+            ends = vec4(ends.yzw, last.x);
             first = last;
         }
-        variance /= sum;
-        float end = min(2.2 * sqrt(variance), 1.0); // the largest sin(d / 2)
-        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = variance, where a + b = end.
-        float a = (sqrt(max(0.3047619 * variance - 0.0304762 * end * end, 0.0)) - 0.1142857 * end) / 0.1523810;
-        float b = end - a;
+        variance /= sum.x;
+        fit /= sum.x;
+        float deviation = sqrt(variance), narrow = 0.5 / variance - 1.8, c = 0.9 * deviation * clamp(narrow, 0.0, 1.0);
+        float widen = clamp(0.3 * narrow, 0.0, 1.0) * (fit.w - fit.x * fit.y) / ((fit.z - fit.x * fit.x) * deviation);
+        widen = 6.1035156e-5 * floor(clamp(16384.0 * widen, -32.0, 32.0)); // by rise, in whole units of 2^-14
+        float most = 1.0 / (1.0 + 212.0 * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
+        float end = min(1.8 * deviation, most - c), rest = variance - c * c / 3.0;
+        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
+        float a = (sqrt(max(0.3047619 * rest - 0.0304762 * end * end, 0.0)) - 0.1142857 * end) / 0.1523810, b = end - a;
         float fourth = a * a * a * (0.2 * a + 0.57142857 * b) // the mean of sin(d / 2)^4
-                     + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b);
+                     + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b)
+                     + c * c * (2.0 * rest + 0.2 * c * c);
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
         float speed = gravity / (12.566371 * tick * low * 1.1892071);
+        // Frequencies are uniform within a quarter, and thus too high. Lower quarters keep the variance of the slopes.
+        vec3 quartile = floor(vec3(gabor_impl_quantile(0.2443, sums, starts, ends), gabor_impl_quantile(0.4885, sums, starts, ends),
+                                   gabor_impl_quantile(0.7328, sums, starts, ends)) + 0.5);
         GaborOceanBand band;
-        float shown = low > 262144.0 ? 0.0 : 1.0; // shorter waves than 0.1 m would overflow, and are capillary
-        band.amplitude = shown * sqrt(sum);
-        band.slopes = shown * slopes * 16.195056 * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
+        float shown = low > 262144.0 ? 0.0 : 1.0; // waves shorter than 0.1 m are capillary
+        band.amplitude = shown * sqrt(sum.x);
+        band.slopes = shown * sum.y * 16.195056 * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
         band.exponent = 34 - 2 * power - i;
-        band.low = int(low + 0.5);
-        band.quarter = int(width + 0.5);
-        band.share = ivec3(1024.0 / sum * sums.xyz + 0.5);
-        band.lean = ivec4(floor(1024.0 * leans + 0.5));
-        band.spread = ivec2(floor(32767.0 * vec2(a, b) + 0.5));
+        band.low = low;
+        band.quarter = vec4(quartile, 424.0) - vec4(0.0, quartile);
+        band.spread = floor(4092.0 * vec3(a, b, c));
+        band.widen = floor(16384.0 * vec2(1.0 - fit.x * widen, widen));
         band.drift = ivec2(floor(32768.0 * speed * exp2(-float(band.exponent)) * heading + 0.5));
         ocean.band[i] = band;
     }
@@ -154,37 +176,43 @@ GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0, 2.0e5);
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, and a window is (value, derivative).
-void gabor_impl_add_water(inout GaborWater sum, inout vec3 squeeze, uint word, vec2 from, vec2 window_x, vec2 window_y,
-                         GaborOceanBand band, vec2 heading, int second, float fraction, vec2 dx, vec2 dy) {
+// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
+// derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
+void gabor_impl_add_water(inout GaborWater sum, inout vec2 tilt, inout vec3 squeeze, uint word, vec2 from, vec3 window,
+                          GaborOceanBand band, float wave, vec3 shape, int second, float fraction, vec2 dx, vec2 dy) {
     uint bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
-    int draw = int(bits >> 22u), u = 16 * int(bits & 4095u) - 32760;
-    int at = (draw < band.share.x ? 0 : 1) + (draw < band.share.y ? 0 : 1) + (draw < band.share.z ? 0 : 1);
-    int within = int(bits >> 12u) & 1023; // of the quarter
-    int lean = at == 0 ? band.lean.x : at == 1 ? band.lean.y : at == 2 ? band.lean.z : band.lean.w;
-    within -= (lean * ((within * (within ^ 1023)) >> 4)) >> 16;
-    within += at << 10;
-    int frequency = band.low + ((band.quarter * within) >> 10), ratio = 13777 + ((1427 * within) >> 10); // F / F0 in 2^-14
-    int half_sine = (u * (band.spread.x + ((band.spread.y * ((u * u) >> 15)) >> 15))) >> 15;
-    int cosine = 32768 - ((half_sine * half_sine) >> 14);
-    int ahead = (((((frequency >> 2) * ratio) >> 13) >> 3) * cosine) >> 12; // k.V, without overflow for any sea
-    int turning = frequency - ahead;
-    float f = 1.52587890625e-5 * float(frequency), s = float(half_sine) / 32768.0;
-    vec2 across = vec2(float(cosine) / 32768.0, 2.0 * s * sqrt(max(1.0 - s * s, 0.0)));
-    vec2 unit = vec2(across.x * heading.x - across.y * heading.y, across.x * heading.y + across.y * heading.x);
-    vec2 k = 0.6383 * f * f * unit; // 2 pi / g, less 0.3 % for the slopes that the windows add
-    float turns = float(((turning & 0xffff) * (second & 0xffff)) & 0xffff) + float(turning) * fraction;
-    vec2 z = gabor_impl_product(gabor_impl_amplitude(word), gabor_impl_wave(dot(k, from) - 1.52587890625e-5 * turns));
-    vec2 steps = vec2(dot(k, dx), dot(k, dy));
-    float kept = exp(-4.9348022 * dot(steps, steps)), window = window_x.x * window_y.x;
+    float share = 0.00390625 * float(bits >> 22u); // of 4
+    vec4 below = band.quarter * clamp(share - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
+    float rise = floor(1024.0 + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
+    float u = 2.0 * float((bits >> 11u) & 2047u) - 2047.0, v = 2.0 * float(bits & 2047u) - 2047.0;
+    float angle = u * (band.spread.x + floor(4.8828125e-4 * band.spread.y * floor(4.8828125e-4 * u * u))) + v * band.spread.z;
+    angle = floor(1.2207031e-4 * angle) * (band.widen.x + band.widen.y * (rise - 1236.0));
+    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
+    // is 861 / 2048, nearly 2^(-5/4), of `carried`.
+    float part = floor(1.2207031e-4 * abs(angle)), lag = floor(4.8828125e-4 * part * part);
+    float carried = floor(4.8828125e-4 * floor(9.765625e-4 * square) * (2048.0 - 2.0 * lag));
+    float turning = floor(floor(0.0078125 * (2048.0 * rise - 861.0 * carried)) * (6.103515625e-5 * band.low));
+    float k = wave * square, around = 6.2831853 * k, chord = 1.1920929e-7 * angle;
+    vec2 unit = vec2(1.0 - 0.5 * chord * chord, chord * sqrt(1.0 - 0.25 * chord * chord));
+    float turns = float(((uint(turning) & 0xffffu) * (uint(second) & 0xffffu)) & 0xffffu) + turning * fraction;
+    vec2 uniforms = vec2(float(int(word)), float(int(word << 12u)));
+    vec2 amplitude = (uniforms - shape.x * clamp(uniforms, -2.0119258e9, 2.0119258e9)) * (uniforms * uniforms + shape.y);
+    vec2 z = gabor_impl_product(amplitude, gabor_impl_wave(k * dot(unit, from) - 1.52587890625e-5 * turns));
+    vec2 steps = around * vec2(dot(unit, dx), dot(unit, dy));
+    float kept = exp(-0.125 * dot(steps, steps));
     z *= kept;
-    vec2 wave = window * z, around = 6.2831853 * k;
-    sum.height += wave.y;
-    sum.slope += wave.x * around + z.y * vec2(window_x.y * window_y.x, window_x.x * window_y.y);
-    sum.shift += wave.x * unit;
-    squeeze += wave.y * vec3(around * unit, around.x * unit.y);
-    sum.lost += band.amplitude * band.amplitude * window * window * (1.0 - kept * kept) * vec3(around * around, around.x * around.y);
+    tilt += z.y * window.yz;
+    z *= window.x;
+    vec2 along = z.x * unit;
+    float squeezing = around * z.y, power = shape.z * window.x * around, lost = power * power * (1.0 - kept * kept);
+    sum.height += z.y;
+    sum.slope += around * along;
+    sum.shift += along;
+    squeeze += squeezing * vec3(unit.x * unit, 1.0);
+    sum.lost += lost * vec3(unit.x * unit, 1.0);
 }
 
 // Splits 2^-exponent (cell + local) - drift (second + fraction) into a whole number and a rest, exactly.
@@ -197,57 +225,76 @@ void gabor_impl_float_by(int cell, float local, int exponent, int drift, int sec
     rest += (float(cell & ((1 << up) - 1)) + local) * exp2(-float(exponent));
 }
 
+// The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
+void gabor_impl_water_windows(bool three, float x, out vec4 value, out vec4 slope) {
+    if (three) {
+        gabor_impl_windows(x - 1.0, value, slope);
+        slope /= GABOR_RADIUS;
+    } else { // 1 - s and s, divided by the root of the sum of their squares
+        float s = x * x * (3.0 - 2.0 * x), scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
+        value = scale * vec4(1.0 - s, s, 0.0, 0.0);
+        slope = 6.0 * x * (1.0 - x) * scale * scale * scale * vec4(-s, 1.0 - s, 0.0, 0.0);
+    }
+}
+
+vec2 gabor_impl_into(vec2 v, vec2 by) {
+    return vec2(v.x * by.x + v.y * by.y, v.y * by.x - v.x * by.y);
+}
+
 GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean, uint seed) {
-    vec2 heading = gabor_impl_wave(0.15915494 * ocean.direction);
-    GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0));
-    vec3 squeezed = vec3(0.0);
-    vec2 hidden = ocean.tail;
+    vec2 heading = gabor_impl_wave(0.15915494 * ocean.direction), back = vec2(heading.x, -heading.y);
+    GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0)); // along the wind and across it, until the end
+    vec2 tilt = vec2(0.0), hidden = ocean.tail;
+    vec3 squeeze = vec3(0.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
+    dx = gabor_impl_into(dx, heading);
+    dy = gabor_impl_into(dy, heading);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
-        float longest = 1.486e-10 * float(band.low) * float(band.low); // the smallest wave number, 2 pi f^2 / g
+        float longest = 1.486e-10 * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
         if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
             hidden += band.slopes;
             continue;
         }
+        bool three = i > 0 && i < 4;
         uint salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
         int whole_x, whole_y;
         float rest_x, rest_y;
         gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
         gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
-        vec2 zero = floor(vec2(rest_x, rest_y) + 0.5), offset = clamp(vec2(rest_x, rest_y) - zero, -0.5, 0.5);
-        ivec2 node = ivec2(whole_x, whole_y) + ivec2(zero);
+        vec2 rest = vec2(rest_x, rest_y) + 1.52587890625e-5 * vec2(float(salt & 0xffffu), float(salt >> 16u));
+        float inset = three ? 0.5 : 0.0, spacing = exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0;
+        vec2 first = floor(rest - inset), offset = inset + clamp(rest - inset - first, 0.0, 1.0);
+        ivec2 node = ivec2(whole_x, whole_y) + ivec2(first);
         vec4 x, y, slope_x, slope_y;
-        gabor_impl_windows(offset.x, x, slope_x);
-        gabor_impl_windows(offset.y, y, slope_y);
-        float spacing = exp2(float(band.exponent));
-        slope_x /= GABOR_RADIUS * spacing;
-        slope_y /= GABOR_RADIUS * spacing;
-        uint left = gabor_impl_line_word(node.x - 1, salt), middle = gabor_impl_line_word(node.x, salt);
-        uint right = gabor_impl_line_word(node.x + 1, salt);
-        GaborWater sum = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0));
-        vec3 squeeze = vec3(0.0);
-        for (int j = 0; j < 3; ++j) {
-            uint row = gabor_impl_line_word(node.y + j - 1, salt ^ GABOR_IMPL_ROWS);
-            vec2 window = j == 0 ? vec2(y.x, slope_y.x) : j == 1 ? vec2(y.y, slope_y.y) : vec2(y.z, slope_y.z);
-            vec2 from = spacing * (offset + vec2(1.0, 1.0 - float(j)));
-            gabor_impl_add_water(sum, squeeze, row * left, from, vec2(x.x, slope_x.x), window, band, heading, second, fraction, dx, dy);
-            from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * middle, from, vec2(x.y, slope_x.y), window, band, heading, second, fraction, dx, dy);
-            from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * right, from, vec2(x.z, slope_x.z), window, band, heading, second, fraction, dx, dy);
+        gabor_impl_water_windows(three, offset.x, x, slope_x);
+        gabor_impl_water_windows(three, offset.y, y, slope_y);
+        vec3 shape = three ? vec3(0.89289313, 7.3973916e18, GABOR_IMPL_DEVIATION) : vec3(0.0, 1.0e21, 1.2432818e30);
+        x *= band.amplitude / (energy * shape.z);
+        slope_x *= band.amplitude / (energy * shape.z * spacing);
+        slope_y /= spacing;
+        float f = 1.4901161e-8 * band.low;
+        float wave = (three ? 0.6383 : 0.6354) * f * f; // 2 pi / g, less 0.3 or 0.8 % for the slopes that the windows add
+        uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
+        uint right = gabor_impl_line_word(node.x + 2, salt);
+        vec2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx;
+        for (int j = 0; j < (three ? 3 : 2); ++j) {
+            uint row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
+            vec2 w = j == 0 ? vec2(y.x, slope_y.x) : j == 1 ? vec2(y.y, slope_y.y) : vec2(y.z, slope_y.z);
+            gabor_impl_add_water(water, tilt, squeeze, row * left, from, vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, wave, shape, second, fraction, dx, dy);
+            gabor_impl_add_water(water, tilt, squeeze, row * middle, from - across, vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, wave, shape, second, fraction, dx, dy);
+            if (three)
+                gabor_impl_add_water(water, tilt, squeeze, row * right, from - 2.0 * across, vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, wave, shape, second, fraction, dx, dy);
+            from -= down;
         }
-        float scale = band.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-        water.height += scale * sum.height;
-        water.slope += scale * sum.slope;
-        water.shift += scale * sum.shift;
-        squeezed += scale * squeeze;
-        water.lost += sum.lost / (GABOR_IMPL_ENERGY * GABOR_IMPL_ENERGY);
     }
-    water.fold = (1.0 - squeezed.x) * (1.0 - squeezed.y) - squeezed.z * squeezed.z;
-    vec3 along = vec3(heading * heading, heading.x * heading.y), across = vec3(along.yx, -along.z);
-    water.lost += hidden.x * along + hidden.y * across;
+    water.slope = gabor_impl_into(water.slope, back) + tilt;
+    water.shift = gabor_impl_into(water.shift, back);
+    water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    float mean = 0.5 * (water.lost.z + hidden.x + hidden.y); // the other parts of a covariance turn twice
+    vec2 parts = gabor_impl_into(gabor_impl_into(vec2(water.lost.x + hidden.x - mean, water.lost.y), back), back);
+    water.lost = vec3(mean + parts.x, mean - parts.x, parts.y);
     return water;
 }
 

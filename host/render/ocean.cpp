@@ -14,10 +14,12 @@ namespace {
 struct alignas(16) Band {
     float amplitude;
     passes::vec2 slopes;
-    int exponent, low, quarter;
-    alignas(16) int share[3];
-    alignas(16) int lean[4];
-    passes::ivec2 spread, drift;
+    int exponent;
+    float low;
+    alignas(16) float quarter[4];
+    alignas(16) float spread[3];
+    passes::vec2 widen;
+    passes::ivec2 drift;
 };
 struct Ocean {
     float wind, direction, fetch;
@@ -38,10 +40,9 @@ std::vector<std::byte> ocean_table(const Sea& sea) {
                          {b.slopes.x, b.slopes.y},
                          b.exponent,
                          b.low,
-                         b.quarter,
-                         {b.share.x, b.share.y, b.share.z},
-                         {b.lean.x, b.lean.y, b.lean.z, b.lean.w},
-                         {b.spread.x, b.spread.y},
+                         {b.quarter.x, b.quarter.y, b.quarter.z, b.quarter.w},
+                         {b.spread.x, b.spread.y, b.spread.z},
+                         {b.widen.x, b.widen.y},
                          {b.drift.x, b.drift.y}};
     }
     return bytes_of(table);

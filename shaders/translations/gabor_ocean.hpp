@@ -29,16 +29,15 @@
 #define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
 #endif
 
-// Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
+// Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
     gabor_vec2 slopes;     // variance of the slopes along the wind and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
-    int low;         // the lowest frequency, 1 / sqrt(2) of the highest
-    int quarter;     // a quarter of the range of frequencies
-    gabor_ivec3 share;     // of 1024 waves, those in the lowest quarter, in the lowest two and in the lowest three
-    gabor_ivec4 lean;      // 1024 times how much likelier low frequencies are than high ones, in each quarter
-    gabor_ivec2 spread;    // sin(d / 2) of an angle d from the wind is a u + b u^3, u uniform in [-1, 1], here times 32768
+    float low;       // 65536 times the lowest frequency in Hz
+    gabor_vec4 quarter;    // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
+    gabor_vec3 spread;     // sin(d / 2) of an angle d from the wind is a u + b u^3 + c v, u and v uniform in [-1, 1], here times 4092,
+    gabor_vec2 widen;      // times a linear function of the frequency, here times 16384
     gabor_ivec2 drift;     // 32768 times the group velocity in nodes per second
 };
 
@@ -87,16 +86,31 @@ struct GaborWater {
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum. A
-// node's frequency F is an integer, and so is the cosine of its angle to the wind: its phase is exact after any time, and
-// the same on every device. Its wave number follows from F by the dispersion relation of deep water, (2 pi f)^2 = g |2 pi k|.
-// The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from there, phases turn
-// by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d.
+// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
+// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
+//
+// Bands 1 to 3 hold most of the height. There, three nodes along each axis, of normal amplitudes, keep it normal. In the
+// other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
+// waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
-GABOR_INLINE float gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz
-    float below = peak / f, apart = (f / peak - 1.0f) / (f < peak ? 0.07f : 0.09f);
+GABOR_INLINE gabor_vec2 gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz, and the same times f^4
+    float below = peak / f, apart = (f / peak - 1.0f) / (f < peak ? 0.07f : 0.09f), squares = f * f * f * f;
     below *= below;
-    return scale / (f * f * f * f * f) * gabor_cpp_exp(-1.25f * below * below + 1.1939225f * gabor_cpp_exp(-0.5f * apart * apart)); // ln 3.3
+    return scale / f * gabor_cpp_exp(1.1939225f * gabor_cpp_exp(-0.5f * apart * apart) - 1.25f * below * below) * gabor_vec2(1.0f / squares, 1.0f); // ln 3.3
+}
+
+// The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
+// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+GABOR_INLINE float gabor_impl_quantile(float share, gabor_vec4 sums, gabor_vec4 starts, gabor_vec4 ends) {
+    share *= sums.w;
+    gabor_vec4 found = share < sums.x ? gabor_vec4(0.0f, sums.x, starts.x, ends.x) : share < sums.y ? gabor_vec4(sums.xy(), starts.y, ends.y)
+               : share < sums.z ? gabor_vec4(sums.yz(), starts.z, ends.z) : gabor_vec4(sums.zw(), starts.w, ends.w);
+    float rest = (share - found.x) / (found.y - found.x), start = 2.0f * found.z / (found.z + found.w);
+    float within = 2.0f * rest / (start + gabor_cpp_sqrt(gabor_cpp_max(start * start + 4.0f * (1.0f - start) * rest, 0.0f)));
+    return 106.0f * (within + (share < sums.x ? 0.0f : share < sums.y ? 1.0f : share < sums.z ? 2.0f : 3.0f));
 }
 
 GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
@@ -112,42 +126,50 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
     int power = int(gabor_cpp_floor(gabor_cpp_log2(0.62f * peak / tick)));
     ocean.tail = gabor_vec2(0.00316f, 0.00192f) * ocean.wind + gabor_vec2(0.0f, 0.003f);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
-        float low = gabor_cpp_exp2(float(power) + 0.5f * float(i)), width = 0.10355339f * low; // (sqrt(2) - 1) / 4
-        float sum = 0.0f, slopes = 0.0f, variance = 0.0f, first = gabor_impl_spectrum(tick * low, peak, scale);
-        gabor_vec4 sums = gabor_vec4(0.0f), leans = gabor_vec4(0.0f);
+        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0f, width = 0.10351562f * low, variance = 0.0f;
+        gabor_vec2 sum = gabor_vec2(0.0f), first = gabor_impl_spectrum(tick * low, peak, scale);
+        gabor_vec4 sums = gabor_vec4(0.0f), starts = gabor_vec4(0.0f), ends = gabor_vec4(0.0f), fit = gabor_vec4(0.0f);
         for (int j = 0; j < 4; ++j) { // Simpson's rule
-            float f = tick * (low + float(j) * width), step = tick * width;
-            float middle = gabor_impl_spectrum(f + 0.5f * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
-            float part = step / 6.0f * (first + 4.0f * middle + last), between = f + 0.5f * step;
+            float f = tick * (low + float(j) * width), step = tick * width, x = 106.0f * float(j) - 159.0f; // rise - 1236
+            gabor_vec2 middle = gabor_impl_spectrum(f + 0.5f * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
+            gabor_vec2 part = step / 6.0f * (first + 4.0f * middle + last);
             sum += part;
             // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-            float above = between / peak;
-            variance += part * 0.5f / (9.77f * gabor_cpp_pow(above, above < 1.0f ? 4.06f : -2.34f) + 1.0f);
-            slopes += part * between * between * between * between;
-            sums = gabor_vec4(sums.yzw(), sum);
-            leans = gabor_vec4(leans.yzw(), (first - last) / (first + last));
+            float above = (f + 0.5f * step) / peak, here = 0.5f / (9.77f * gabor_cpp_pow(above, above < 1.0f ? 4.06f : -2.34f) + 1.0f);
+            variance += part.x * here;
+            fit += part.x * gabor_vec4(x, gabor_cpp_sqrt(here), x * x, x * gabor_cpp_sqrt(here));
+            sums = gabor_vec4(sums.yzw(), sum.x);
+            starts = gabor_vec4(starts.yzw(), first.x);
+            ends = gabor_vec4(ends.yzw(), last.x);
             first = last;
         }
-        variance /= sum;
-        float end = gabor_cpp_min(2.2f * gabor_cpp_sqrt(variance), 1.0f); // the largest sin(d / 2)
-        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = variance, where a + b = end.
-        float a = (gabor_cpp_sqrt(gabor_cpp_max(0.3047619f * variance - 0.0304762f * end * end, 0.0f)) - 0.1142857f * end) / 0.1523810f;
-        float b = end - a;
+        variance /= sum.x;
+        fit /= sum.x;
+        float deviation = gabor_cpp_sqrt(variance), narrow = 0.5f / variance - 1.8f, c = 0.9f * deviation * gabor_cpp_clamp(narrow, 0.0f, 1.0f);
+        float widen = gabor_cpp_clamp(0.3f * narrow, 0.0f, 1.0f) * (fit.w - fit.x * fit.y) / ((fit.z - fit.x * fit.x) * deviation);
+        widen = 6.1035156e-5f * gabor_cpp_floor(gabor_cpp_clamp(16384.0f * widen, -32.0f, 32.0f)); // by rise, in whole units of 2^-14
+        float most = 1.0f / (1.0f + 212.0f * gabor_cpp_abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
+        float end = gabor_cpp_min(1.8f * deviation, most - c), rest = variance - c * c / 3.0f;
+        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
+        float a = (gabor_cpp_sqrt(gabor_cpp_max(0.3047619f * rest - 0.0304762f * end * end, 0.0f)) - 0.1142857f * end) / 0.1523810f, b = end - a;
         float fourth = a * a * a * (0.2f * a + 0.57142857f * b) // the mean of sin(d / 2)^4
-                     + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b);
+                     + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b)
+                     + c * c * (2.0f * rest + 0.2f * c * c);
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
         float speed = gravity / (12.566371f * tick * low * 1.1892071f);
+        // Frequencies are uniform within a quarter, and thus too high. Lower quarters keep the variance of the slopes.
+        gabor_vec3 quartile = gabor_cpp_floor(gabor_vec3(gabor_impl_quantile(0.2443f, sums, starts, ends), gabor_impl_quantile(0.4885f, sums, starts, ends),
+                                   gabor_impl_quantile(0.7328f, sums, starts, ends)) + 0.5f);
         GaborOceanBand band;
-        float shown = low > 262144.0f ? 0.0f : 1.0f; // shorter waves than 0.1 m would overflow, and are capillary
-        band.amplitude = shown * gabor_cpp_sqrt(sum);
-        band.slopes = shown * slopes * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
+        float shown = low > 262144.0f ? 0.0f : 1.0f; // waves shorter than 0.1 m are capillary
+        band.amplitude = shown * gabor_cpp_sqrt(sum.x);
+        band.slopes = shown * sum.y * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
         band.exponent = 34 - 2 * power - i;
-        band.low = int(low + 0.5f);
-        band.quarter = int(width + 0.5f);
-        band.share = gabor_ivec3(1024.0f / sum * sums.xyz() + 0.5f);
-        band.lean = gabor_ivec4(gabor_cpp_floor(1024.0f * leans + 0.5f));
-        band.spread = gabor_ivec2(gabor_cpp_floor(32767.0f * gabor_vec2(a, b) + 0.5f));
+        band.low = low;
+        band.quarter = gabor_vec4(quartile, 424.0f) - gabor_vec4(0.0f, quartile);
+        band.spread = gabor_cpp_floor(4092.0f * gabor_vec3(a, b, c));
+        band.widen = gabor_cpp_floor(16384.0f * gabor_vec2(1.0f - fit.x * widen, widen));
         band.drift = gabor_ivec2(gabor_cpp_floor(32768.0f * speed * gabor_cpp_exp2(-float(band.exponent)) * heading + 0.5f));
         ocean.band[i] = band;
     }
@@ -159,37 +181,43 @@ GABOR_INLINE GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0f, 2.0e5f);
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, and a window is (value, derivative).
-GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec3& squeeze, std::uint32_t word, gabor_vec2 from, gabor_vec2 window_x, gabor_vec2 window_y,
-                         GaborOceanBand band, gabor_vec2 heading, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy) {
+// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
+// derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
+GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec2& tilt, gabor_vec3& squeeze, std::uint32_t word, gabor_vec2 from, gabor_vec3 window,
+                          GaborOceanBand band, float wave, gabor_vec3 shape, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy) {
     std::uint32_t bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
-    int draw = int(bits >> 22u), u = 16 * int(bits & 4095u) - 32760;
-    int at = (draw < band.share.x ? 0 : 1) + (draw < band.share.y ? 0 : 1) + (draw < band.share.z ? 0 : 1);
-    int within = int(bits >> 12u) & 1023; // of the quarter
-    int lean = at == 0 ? band.lean.x : at == 1 ? band.lean.y : at == 2 ? band.lean.z : band.lean.w;
-    within -= (lean * ((within * (within ^ 1023)) >> 4)) >> 16;
-    within += at << 10;
-    int frequency = band.low + ((band.quarter * within) >> 10), ratio = 13777 + ((1427 * within) >> 10); // F / F0 in 2^-14
-    int half_sine = (u * (band.spread.x + ((band.spread.y * ((u * u) >> 15)) >> 15))) >> 15;
-    int cosine = 32768 - ((half_sine * half_sine) >> 14);
-    int ahead = (((((frequency >> 2) * ratio) >> 13) >> 3) * cosine) >> 12; // k.V, without overflow for any sea
-    int turning = frequency - ahead;
-    float f = 1.52587890625e-5f * float(frequency), s = float(half_sine) / 32768.0f;
-    gabor_vec2 across = gabor_vec2(float(cosine) / 32768.0f, 2.0f * s * gabor_cpp_sqrt(gabor_cpp_max(1.0f - s * s, 0.0f)));
-    gabor_vec2 unit = gabor_vec2(across.x * heading.x - across.y * heading.y, across.x * heading.y + across.y * heading.x);
-    gabor_vec2 k = 0.6383f * f * f * unit; // 2 pi / g, less 0.3 % for the slopes that the windows add
-    float turns = float(((turning & 0xffff) * (second & 0xffff)) & 0xffff) + float(turning) * fraction;
-    gabor_vec2 z = gabor_impl_product(gabor_impl_amplitude(word), gabor_impl_wave(gabor_cpp_dot(k, from) - 1.52587890625e-5f * turns));
-    gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(k, dx), gabor_cpp_dot(k, dy));
-    float kept = gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), window = window_x.x * window_y.x;
+    float share = 0.00390625f * float(bits >> 22u); // of 4
+    gabor_vec4 below = band.quarter * gabor_cpp_clamp(share - gabor_vec4(0.0f, 1.0f, 2.0f, 3.0f), 0.0f, 1.0f);
+    float rise = gabor_cpp_floor(1024.0f + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
+    float u = 2.0f * float((bits >> 11u) & 2047u) - 2047.0f, v = 2.0f * float(bits & 2047u) - 2047.0f;
+    float angle = u * (band.spread.x + gabor_cpp_floor(4.8828125e-4f * band.spread.y * gabor_cpp_floor(4.8828125e-4f * u * u))) + v * band.spread.z;
+    angle = gabor_cpp_floor(1.2207031e-4f * angle) * (band.widen.x + band.widen.y * (rise - 1236.0f));
+    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
+    // is 861 / 2048, nearly 2^(-5/4), of `carried`.
+    float part = gabor_cpp_floor(1.2207031e-4f * gabor_cpp_abs(angle)), lag = gabor_cpp_floor(4.8828125e-4f * part * part);
+    float carried = gabor_cpp_floor(4.8828125e-4f * gabor_cpp_floor(9.765625e-4f * square) * (2048.0f - 2.0f * lag));
+    float turning = gabor_cpp_floor(gabor_cpp_floor(0.0078125f * (2048.0f * rise - 861.0f * carried)) * (6.103515625e-5f * band.low));
+    float k = wave * square, around = 6.2831853f * k, chord = 1.1920929e-7f * angle;
+    gabor_vec2 unit = gabor_vec2(1.0f - 0.5f * chord * chord, chord * gabor_cpp_sqrt(1.0f - 0.25f * chord * chord));
+    float turns = float(((std::uint32_t(turning) & 0xffffu) * (std::uint32_t(second) & 0xffffu)) & 0xffffu) + turning * fraction;
+    gabor_vec2 uniforms = gabor_vec2(float(int(word)), float(int(word << 12u)));
+    gabor_vec2 amplitude = (uniforms - shape.x * gabor_cpp_clamp(uniforms, -2.0119258e9f, 2.0119258e9f)) * (uniforms * uniforms + shape.y);
+    gabor_vec2 z = gabor_impl_product(amplitude, gabor_impl_wave(k * gabor_cpp_dot(unit, from) - 1.52587890625e-5f * turns));
+    gabor_vec2 steps = around * gabor_vec2(gabor_cpp_dot(unit, dx), gabor_cpp_dot(unit, dy));
+    float kept = gabor_cpp_exp(-0.125f * gabor_cpp_dot(steps, steps));
     z *= kept;
-    gabor_vec2 wave = window * z, around = 6.2831853f * k;
-    sum.height += wave.y;
-    sum.slope += wave.x * around + z.y * gabor_vec2(window_x.y * window_y.x, window_x.x * window_y.y);
-    sum.shift += wave.x * unit;
-    squeeze += wave.y * gabor_vec3(around * unit, around.x * unit.y);
-    sum.lost += band.amplitude * band.amplitude * window * window * (1.0f - kept * kept) * gabor_vec3(around * around, around.x * around.y);
+    tilt += z.y * window.yz();
+    z *= window.x;
+    gabor_vec2 along = z.x * unit;
+    float squeezing = around * z.y, power = shape.z * window.x * around, lost = power * power * (1.0f - kept * kept);
+    sum.height += z.y;
+    sum.slope += around * along;
+    sum.shift += along;
+    squeeze += squeezing * gabor_vec3(unit.x * unit, 1.0f);
+    sum.lost += lost * gabor_vec3(unit.x * unit, 1.0f);
 }
 
 // Splits 2^-exponent (cell + local) - drift (second + fraction) into a whole number and a rest, exactly.
@@ -202,57 +230,76 @@ GABOR_INLINE void gabor_impl_float_by(int cell, float local, int exponent, int d
     rest += (float(cell & ((1 << up) - 1)) + local) * gabor_cpp_exp2(-float(exponent));
 }
 
+// The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
+GABOR_INLINE void gabor_impl_water_windows(bool three, float x, gabor_vec4& value, gabor_vec4& slope) {
+    if (three) {
+        gabor_impl_windows(x - 1.0f, value, slope);
+        slope /= GABOR_RADIUS;
+    } else { // 1 - s and s, divided by the root of the sum of their squares
+        float s = x * x * (3.0f - 2.0f * x), scale = gabor_cpp_inversesqrt(1.0f - 2.0f * s * (1.0f - s));
+        value = scale * gabor_vec4(1.0f - s, s, 0.0f, 0.0f);
+        slope = 6.0f * x * (1.0f - x) * scale * scale * scale * gabor_vec4(-s, 1.0f - s, 0.0f, 0.0f);
+    }
+}
+
+GABOR_INLINE gabor_vec2 gabor_impl_into(gabor_vec2 v, gabor_vec2 by) {
+    return gabor_vec2(v.x * by.x + v.y * by.y, v.y * by.x - v.x * by.y);
+}
+
 GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy, GaborOcean ocean, std::uint32_t seed) {
-    gabor_vec2 heading = gabor_impl_wave(0.15915494f * ocean.direction);
-    GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
-    gabor_vec3 squeezed = gabor_vec3(0.0f);
-    gabor_vec2 hidden = ocean.tail;
+    gabor_vec2 heading = gabor_impl_wave(0.15915494f * ocean.direction), back = gabor_vec2(heading.x, -heading.y);
+    GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)}; // along the wind and across it, until the end
+    gabor_vec2 tilt = gabor_vec2(0.0f), hidden = ocean.tail;
+    gabor_vec3 squeeze = gabor_vec3(0.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
+    dx = gabor_impl_into(dx, heading);
+    dy = gabor_impl_into(dy, heading);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
-        float longest = 1.486e-10f * float(band.low) * float(band.low); // the smallest wave number, 2 pi f^2 / g
+        float longest = 1.486e-10f * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
         if (band.amplitude == 0.0f || longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
             hidden += band.slopes;
             continue;
         }
+        bool three = i > 0 && i < 4;
         std::uint32_t salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
         int whole_x, whole_y;
         float rest_x, rest_y;
         gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
         gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
-        gabor_vec2 zero = gabor_cpp_floor(gabor_vec2(rest_x, rest_y) + 0.5f), offset = gabor_cpp_clamp(gabor_vec2(rest_x, rest_y) - zero, -0.5f, 0.5f);
-        gabor_ivec2 node = gabor_ivec2(whole_x, whole_y) + gabor_ivec2(zero);
+        gabor_vec2 rest = gabor_vec2(rest_x, rest_y) + 1.52587890625e-5f * gabor_vec2(float(salt & 0xffffu), float(salt >> 16u));
+        float inset = three ? 0.5f : 0.0f, spacing = gabor_cpp_exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0f;
+        gabor_vec2 first = gabor_cpp_floor(rest - inset), offset = inset + gabor_cpp_clamp(rest - inset - first, 0.0f, 1.0f);
+        gabor_ivec2 node = gabor_ivec2(whole_x, whole_y) + gabor_ivec2(first);
         gabor_vec4 x, y, slope_x, slope_y;
-        gabor_impl_windows(offset.x, x, slope_x);
-        gabor_impl_windows(offset.y, y, slope_y);
-        float spacing = gabor_cpp_exp2(float(band.exponent));
-        slope_x /= GABOR_RADIUS * spacing;
-        slope_y /= GABOR_RADIUS * spacing;
-        std::uint32_t left = gabor_impl_line_word(node.x - 1, salt), middle = gabor_impl_line_word(node.x, salt);
-        std::uint32_t right = gabor_impl_line_word(node.x + 1, salt);
-        GaborWater sum = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
-        gabor_vec3 squeeze = gabor_vec3(0.0f);
-        for (int j = 0; j < 3; ++j) {
-            std::uint32_t row = gabor_impl_line_word(node.y + j - 1, salt ^ GABOR_IMPL_ROWS);
-            gabor_vec2 window = j == 0 ? gabor_vec2(y.x, slope_y.x) : j == 1 ? gabor_vec2(y.y, slope_y.y) : gabor_vec2(y.z, slope_y.z);
-            gabor_vec2 from = spacing * (offset + gabor_vec2(1.0f, 1.0f - float(j)));
-            gabor_impl_add_water(sum, squeeze, row * left, from, gabor_vec2(x.x, slope_x.x), window, band, heading, second, fraction, dx, dy);
-            from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * middle, from, gabor_vec2(x.y, slope_x.y), window, band, heading, second, fraction, dx, dy);
-            from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * right, from, gabor_vec2(x.z, slope_x.z), window, band, heading, second, fraction, dx, dy);
+        gabor_impl_water_windows(three, offset.x, x, slope_x);
+        gabor_impl_water_windows(three, offset.y, y, slope_y);
+        gabor_vec3 shape = three ? gabor_vec3(0.89289313f, 7.3973916e18f, GABOR_IMPL_DEVIATION) : gabor_vec3(0.0f, 1.0e21f, 1.2432818e30f);
+        x *= band.amplitude / (energy * shape.z);
+        slope_x *= band.amplitude / (energy * shape.z * spacing);
+        slope_y /= spacing;
+        float f = 1.4901161e-8f * band.low;
+        float wave = (three ? 0.6383f : 0.6354f) * f * f; // 2 pi / g, less 0.3 or 0.8 % for the slopes that the windows add
+        std::uint32_t left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
+        std::uint32_t right = gabor_impl_line_word(node.x + 2, salt);
+        gabor_vec2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx();
+        for (int j = 0; j < (three ? 3 : 2); ++j) {
+            std::uint32_t row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
+            gabor_vec2 w = j == 0 ? gabor_vec2(y.x, slope_y.x) : j == 1 ? gabor_vec2(y.y, slope_y.y) : gabor_vec2(y.z, slope_y.z);
+            gabor_impl_add_water(water, tilt, squeeze, row * left, from, gabor_vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, wave, shape, second, fraction, dx, dy);
+            gabor_impl_add_water(water, tilt, squeeze, row * middle, from - across, gabor_vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, wave, shape, second, fraction, dx, dy);
+            if (three)
+                gabor_impl_add_water(water, tilt, squeeze, row * right, from - 2.0f * across, gabor_vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, wave, shape, second, fraction, dx, dy);
+            from -= down;
         }
-        float scale = band.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-        water.height += scale * sum.height;
-        water.slope += scale * sum.slope;
-        water.shift += scale * sum.shift;
-        squeezed += scale * squeeze;
-        water.lost += sum.lost / (GABOR_IMPL_ENERGY * GABOR_IMPL_ENERGY);
     }
-    water.fold = (1.0f - squeezed.x) * (1.0f - squeezed.y) - squeezed.z * squeezed.z;
-    gabor_vec3 along = gabor_vec3(heading * heading, heading.x * heading.y), across = gabor_vec3(along.yx(), -along.z);
-    water.lost += hidden.x * along + hidden.y * across;
+    water.slope = gabor_impl_into(water.slope, back) + tilt;
+    water.shift = gabor_impl_into(water.shift, back);
+    water.fold = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    float mean = 0.5f * (water.lost.z + hidden.x + hidden.y); // the other parts of a covariance turn twice
+    gabor_vec2 parts = gabor_impl_into(gabor_impl_into(gabor_vec2(water.lost.x + hidden.x - mean, water.lost.y), back), back);
+    water.lost = gabor_vec3(mean + parts.x, mean - parts.x, parts.y);
     return water;
 }
 

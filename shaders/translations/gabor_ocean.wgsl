@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 44d9b47a94603263.
+// naga 30.0.1 made it from GLSL with the digest 44e0a8997d16864c.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -14,16 +14,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
+// Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     amplitude: f32,
     slopes: vec2<f32>,
     exponent: i32,
-    low: i32,
-    quarter: i32,
-    share: vec3<i32>,
-    lean: vec4<i32>,
-    spread: vec2<i32>,
+    low: f32,
+    quarter: vec4<f32>,
+    spread: vec3<f32>,
+    widen: vec2<f32>,
     drift: vec2<i32>,
 }
 
@@ -72,16 +71,21 @@ struct GaborWater {
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum. A
-// node's frequency F is an integer, and so is the cosine of its angle to the wind: its phase is exact after any time, and
-// the same on every device. Its wave number follows from F by the dispersion relation of deep water, (2 pi f)^2 = g |2 pi k|.
-// The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from there, phases turn
-// by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d.
+// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
+// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
+//
+// Bands 1 to 3 hold most of the height. There, three nodes along each axis, of normal amplitudes, keep it normal. In the
+// other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
+// waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
-fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> f32 {
+fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> vec2<f32> {
     var below: f32;
     var local_11: f32;
     var apart: f32;
+    var squares: f32;
     below = (peak / f);
     if (f < peak) {
         local_11 = 0.07f;
@@ -90,14 +94,99 @@ fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> f32 {
     }
     let _e12 = local_11;
     apart = (((f / peak) - 1f) / _e12);
-    let _e15 = below;
-    let _e16 = below;
-    below = (_e15 * _e16);
-    let _e25 = below;
-    let _e27 = below;
-    let _e32 = apart;
-    let _e34 = apart;
-    return ((scale / ((((f * f) * f) * f) * f)) * exp((((-1.25f * _e25) * _e27) + (1.1939225f * exp(((-0.5f * _e32) * _e34))))));
+    squares = (((f * f) * f) * f);
+    let _e19 = below;
+    let _e20 = below;
+    below = (_e19 * _e20);
+    let _e26 = apart;
+    let _e28 = apart;
+    let _e33 = below;
+    let _e35 = below;
+    let _e41 = squares;
+    return (((scale / f) * exp(((1.1939225f * exp(((-0.5f * _e26) * _e28))) - ((1.25f * _e33) * _e35)))) * vec2<f32>((1f / _e41), 1f));
+}
+
+// The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
+// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+fn gabor_impl_quantile(share: f32, sums: vec4<f32>, starts: vec4<f32>, ends: vec4<f32>) -> f32 {
+    var share_1: f32;
+    var local_12: vec4<f32>;
+    var local_13: vec4<f32>;
+    var local_14: vec4<f32>;
+    var found: vec4<f32>;
+    var rest: f32;
+    var start: f32;
+    var within_1: f32;
+    var local_15: f32;
+    var local_16: f32;
+    var local_17: f32;
+    share_1 = share;
+    let _e5 = share_1;
+    share_1 = (_e5 * sums.w);
+    let _e8 = share_1;
+    if (_e8 < sums.x) {
+        local_14 = vec4<f32>(0f, sums.x, starts.x, ends.x);
+    } else {
+        let _e16 = share_1;
+        if (_e16 < sums.y) {
+            let _e19 = sums.xy;
+            local_13 = vec4<f32>(_e19.x, _e19.y, starts.y, ends.y);
+        } else {
+            let _e25 = share_1;
+            if (_e25 < sums.z) {
+                let _e28 = sums.yz;
+                local_12 = vec4<f32>(_e28.x, _e28.y, starts.z, ends.z);
+            } else {
+                let _e34 = sums.zw;
+                local_12 = vec4<f32>(_e34.x, _e34.y, starts.w, ends.w);
+            }
+            let _e41 = local_12;
+            local_13 = _e41;
+        }
+        let _e43 = local_13;
+        local_14 = _e43;
+    }
+    let _e45 = local_14;
+    found = _e45;
+    let _e47 = share_1;
+    let _e48 = found;
+    let _e51 = found;
+    let _e53 = found;
+    rest = ((_e47 - _e48.x) / (_e51.y - _e53.x));
+    let _e59 = found;
+    let _e62 = found;
+    let _e64 = found;
+    start = ((2f * _e59.z) / (_e62.z + _e64.w));
+    let _e70 = rest;
+    let _e72 = start;
+    let _e73 = start;
+    let _e74 = start;
+    let _e78 = start;
+    let _e81 = rest;
+    within_1 = ((2f * _e70) / (_e72 + sqrt(max(((_e73 * _e74) + ((4f * (1f - _e78)) * _e81)), 0f))));
+    let _e91 = within_1;
+    let _e92 = share_1;
+    if (_e92 < sums.x) {
+        local_17 = 0f;
+    } else {
+        let _e96 = share_1;
+        if (_e96 < sums.y) {
+            local_16 = 1f;
+        } else {
+            let _e100 = share_1;
+            if (_e100 < sums.z) {
+                local_15 = 2f;
+            } else {
+                local_15 = 3f;
+            }
+            let _e106 = local_15;
+            local_16 = _e106;
+        }
+        let _e108 = local_16;
+        local_17 = _e108;
+    }
+    let _e110 = local_17;
+    return (106f * (_e91 + _e110));
 }
 
 fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
@@ -110,31 +199,41 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var scale_1: f32;
     var power_1: i32;
     var i: i32 = 0i;
+    var local_18: i32;
     var low: f32;
     var width: f32;
-    var sum_5: f32;
-    var slopes: f32;
     var variance: f32;
-    var first_1: f32;
-    var sums_1: vec4<f32>;
-    var leans: vec4<f32>;
+    var sum_5: vec2<f32>;
+    var first_1: vec2<f32>;
+    var sums_2: vec4<f32>;
+    var starts_1: vec4<f32>;
+    var ends_1: vec4<f32>;
+    var fit: vec4<f32>;
     var j_1: i32;
     var f_1: f32;
     var step_: f32;
-    var middle: f32;
-    var last: f32;
-    var part: f32;
-    var between: f32;
+    var x_5: f32;
+    var middle: vec2<f32>;
+    var last: vec2<f32>;
+    var part: vec2<f32>;
     var above: f32;
-    var local_12: f32;
+    var local_19: f32;
+    var here: f32;
+    var deviation: f32;
+    var narrow: f32;
+    var c_1: f32;
+    var widen: f32;
+    var most: f32;
     var end: f32;
+    var rest_1: f32;
     var a_2: f32;
     var b_2: f32;
     var fourth_1: f32;
     var along: f32;
     var speed: f32;
+    var quartile: vec3<f32>;
     var band: GaborOceanBand;
-    var local_13: f32;
+    var local_20: f32;
     var shown: f32;
     ocean.wind = clamp(wind, 2f, 30f);
     ocean.direction = direction;
@@ -165,185 +264,248 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
             break;
         }
         {
-            let _e86 = power_1;
-            let _e89 = i;
-            low = exp2((f32(_e86) + (0.5f * f32(_e89))));
-            let _e96 = low;
-            width = (0.10355339f * _e96);
-            sum_5 = 0f;
-            slopes = 0f;
+            let _e86 = i;
+            if ((_e86 & 1i) == 0i) {
+                local_18 = 128i;
+            } else {
+                local_18 = 181i;
+            }
+            let _e94 = local_18;
+            let _e95 = power_1;
+            let _e96 = i;
+            low = (f32((_e94 << u32((_e95 + (_e96 / 2i))))) / 128f);
+            let _e107 = low;
+            width = (0.10351562f * _e107);
             variance = 0f;
-            let _e105 = tick;
-            let _e106 = low;
-            let _e108 = peak_1;
-            let _e109 = scale_1;
-            let _e110 = gabor_impl_spectrum((_e105 * _e106), _e108, _e109);
-            first_1 = _e110;
-            sums_1 = vec4(0f);
-            leans = vec4(0f);
+            sum_5 = vec2(0f);
+            let _e115 = tick;
+            let _e116 = low;
+            let _e118 = peak_1;
+            let _e119 = scale_1;
+            let _e120 = gabor_impl_spectrum((_e115 * _e116), _e118, _e119);
+            first_1 = _e120;
+            sums_2 = vec4(0f);
+            starts_1 = vec4(0f);
+            ends_1 = vec4(0f);
+            fit = vec4(0f);
             j_1 = 0i;
             loop {
-                let _e120 = j_1;
-                if !((_e120 < 4i)) {
+                let _e136 = j_1;
+                if !((_e136 < 4i)) {
                     break;
                 }
                 {
-                    let _e127 = tick;
-                    let _e128 = low;
-                    let _e129 = j_1;
-                    let _e131 = width;
-                    f_1 = (_e127 * (_e128 + (f32(_e129) * _e131)));
-                    let _e136 = tick;
-                    let _e137 = width;
-                    step_ = (_e136 * _e137);
-                    let _e140 = f_1;
-                    let _e142 = step_;
-                    let _e145 = peak_1;
-                    let _e146 = scale_1;
-                    let _e147 = gabor_impl_spectrum((_e140 + (0.5f * _e142)), _e145, _e146);
-                    middle = _e147;
-                    let _e149 = f_1;
-                    let _e150 = step_;
-                    let _e152 = peak_1;
-                    let _e153 = scale_1;
-                    let _e154 = gabor_impl_spectrum((_e149 + _e150), _e152, _e153);
-                    last = _e154;
-                    let _e156 = step_;
-                    let _e159 = first_1;
-                    let _e161 = middle;
-                    let _e164 = last;
-                    part = ((_e156 / 6f) * ((_e159 + (4f * _e161)) + _e164));
-                    let _e168 = f_1;
-                    let _e170 = step_;
-                    between = (_e168 + (0.5f * _e170));
-                    let _e174 = sum_5;
-                    let _e175 = part;
-                    sum_5 = (_e174 + _e175);
-                    let _e177 = between;
-                    let _e178 = peak_1;
-                    above = (_e177 / _e178);
-                    let _e181 = variance;
-                    let _e182 = part;
-                    let _e186 = above;
-                    let _e187 = above;
-                    if (_e187 < 1f) {
-                        local_12 = 4.06f;
+                    let _e143 = tick;
+                    let _e144 = low;
+                    let _e145 = j_1;
+                    let _e147 = width;
+                    f_1 = (_e143 * (_e144 + (f32(_e145) * _e147)));
+                    let _e152 = tick;
+                    let _e153 = width;
+                    step_ = (_e152 * _e153);
+                    let _e157 = j_1;
+                    x_5 = ((106f * f32(_e157)) - 159f);
+                    let _e163 = f_1;
+                    let _e165 = step_;
+                    let _e168 = peak_1;
+                    let _e169 = scale_1;
+                    let _e170 = gabor_impl_spectrum((_e163 + (0.5f * _e165)), _e168, _e169);
+                    middle = _e170;
+                    let _e172 = f_1;
+                    let _e173 = step_;
+                    let _e175 = peak_1;
+                    let _e176 = scale_1;
+                    let _e177 = gabor_impl_spectrum((_e172 + _e173), _e175, _e176);
+                    last = _e177;
+                    let _e179 = step_;
+                    let _e182 = first_1;
+                    let _e184 = middle;
+                    let _e187 = last;
+                    part = ((_e179 / 6f) * ((_e182 + (4f * _e184)) + _e187));
+                    let _e191 = sum_5;
+                    let _e192 = part;
+                    sum_5 = (_e191 + _e192);
+                    let _e194 = f_1;
+                    let _e196 = step_;
+                    let _e199 = peak_1;
+                    above = ((_e194 + (0.5f * _e196)) / _e199);
+                    let _e204 = above;
+                    let _e205 = above;
+                    if (_e205 < 1f) {
+                        local_19 = 4.06f;
                     } else {
-                        local_12 = -2.34f;
+                        local_19 = -2.34f;
                     }
-                    let _e194 = local_12;
-                    variance = (_e181 + ((_e182 * 0.5f) / ((9.77f * pow(_e186, _e194)) + 1f)));
-                    let _e201 = slopes;
-                    let _e202 = part;
-                    let _e203 = between;
-                    let _e205 = between;
-                    let _e207 = between;
-                    let _e209 = between;
-                    slopes = (_e201 + ((((_e202 * _e203) * _e205) * _e207) * _e209));
-                    let _e212 = sums_1;
-                    let _e213 = _e212.yzw;
-                    let _e214 = sum_5;
-                    sums_1 = vec4<f32>(_e213.x, _e213.y, _e213.z, _e214);
-                    let _e219 = leans;
-                    let _e220 = _e219.yzw;
-                    let _e221 = first_1;
-                    let _e222 = last;
-                    let _e224 = first_1;
-                    let _e225 = last;
-                    leans = vec4<f32>(_e220.x, _e220.y, _e220.z, ((_e221 - _e222) / (_e224 + _e225)));
-                    let _e232 = last;
-                    first_1 = _e232;
+                    let _e212 = local_19;
+                    here = (0.5f / ((9.77f * pow(_e204, _e212)) + 1f));
+                    let _e219 = variance;
+                    let _e220 = part;
+                    let _e222 = here;
+                    variance = (_e219 + (_e220.x * _e222));
+                    let _e225 = fit;
+                    let _e226 = part;
+                    let _e228 = x_5;
+                    let _e229 = here;
+                    let _e231 = x_5;
+                    let _e232 = x_5;
+                    let _e234 = x_5;
+                    let _e235 = here;
+                    fit = (_e225 + (_e226.x * vec4<f32>(_e228, sqrt(_e229), (_e231 * _e232), (_e234 * sqrt(_e235)))));
+                    let _e241 = sums_2;
+                    let _e242 = _e241.yzw;
+                    let _e243 = sum_5;
+                    sums_2 = vec4<f32>(_e242.x, _e242.y, _e242.z, _e243.x);
+                    let _e249 = starts_1;
+                    let _e250 = _e249.yzw;
+                    let _e251 = first_1;
+                    starts_1 = vec4<f32>(_e250.x, _e250.y, _e250.z, _e251.x);
+                    let _e257 = ends_1;
+                    let _e258 = _e257.yzw;
+                    let _e259 = last;
+                    ends_1 = vec4<f32>(_e258.x, _e258.y, _e258.z, _e259.x);
+                    let _e265 = last;
+                    first_1 = _e265;
                 }
                 continuing {
-                    let _e124 = j_1;
-                    j_1 = (_e124 + 1i);
+                    let _e140 = j_1;
+                    j_1 = (_e140 + 1i);
                 }
             }
-            let _e233 = variance;
-            let _e234 = sum_5;
-            variance = (_e233 / _e234);
-            let _e237 = variance;
-            end = min((2.2f * sqrt(_e237)), 1f);
-            let _e244 = variance;
-            let _e247 = end;
-            let _e249 = end;
-            let _e256 = end;
-            a_2 = ((sqrt(max(((0.3047619f * _e244) - ((0.0304762f * _e247) * _e249)), 0f)) - (0.1142857f * _e256)) / 0.152381f);
-            let _e262 = end;
-            let _e263 = a_2;
-            b_2 = (_e262 - _e263);
-            let _e266 = a_2;
-            let _e267 = a_2;
-            let _e269 = a_2;
-            let _e272 = a_2;
-            let _e275 = b_2;
-            let _e279 = b_2;
-            let _e280 = b_2;
-            let _e283 = a_2;
-            let _e285 = a_2;
-            let _e288 = a_2;
-            let _e290 = b_2;
-            let _e294 = b_2;
-            let _e296 = b_2;
-            fourth_1 = ((((_e266 * _e267) * _e269) * ((0.2f * _e272) + (0.5714286f * _e275))) + ((_e279 * _e280) * ((((0.6666667f * _e283) * _e285) + ((0.36363637f * _e288) * _e290)) + ((0.07692308f * _e294) * _e296))));
-            let _e304 = variance;
-            let _e308 = fourth_1;
-            along = ((1f - (4f * _e304)) + (4f * _e308));
-            let _e312 = gravity;
-            let _e314 = tick;
-            let _e316 = low;
-            speed = (_e312 / (((12.566371f * _e314) * _e316) * 1.1892071f));
-            let _e323 = low;
-            if (_e323 > 262144f) {
-                local_13 = 0f;
+            let _e266 = variance;
+            let _e267 = sum_5;
+            variance = (_e266 / _e267.x);
+            let _e270 = fit;
+            let _e271 = sum_5;
+            fit = (_e270 / vec4(_e271.x));
+            let _e275 = variance;
+            deviation = sqrt(_e275);
+            let _e279 = variance;
+            narrow = ((0.5f / _e279) - 1.8f);
+            let _e285 = deviation;
+            let _e287 = narrow;
+            c_1 = ((0.9f * _e285) * clamp(_e287, 0f, 1f));
+            let _e294 = narrow;
+            let _e299 = fit;
+            let _e301 = fit;
+            let _e303 = fit;
+            let _e308 = fit;
+            let _e310 = fit;
+            let _e312 = fit;
+            let _e316 = deviation;
+            widen = ((clamp((0.3f * _e294), 0f, 1f) * (_e299.w - (_e301.x * _e303.y))) / ((_e308.z - (_e310.x * _e312.x)) * _e316));
+            let _e322 = widen;
+            widen = (0.000061035156f * floor(clamp((16384f * _e322), -32f, 32f)));
+            let _e333 = widen;
+            let _e337 = fit;
+            let _e339 = widen;
+            most = (1f / ((1f + (212f * abs(_e333))) - (_e337.x * _e339)));
+            let _e345 = deviation;
+            let _e347 = most;
+            let _e348 = c_1;
+            end = min((1.8f * _e345), (_e347 - _e348));
+            let _e352 = variance;
+            let _e353 = c_1;
+            let _e354 = c_1;
+            rest_1 = (_e352 - ((_e353 * _e354) / 3f));
+            let _e361 = rest_1;
+            let _e364 = end;
+            let _e366 = end;
+            let _e373 = end;
+            a_2 = ((sqrt(max(((0.3047619f * _e361) - ((0.0304762f * _e364) * _e366)), 0f)) - (0.1142857f * _e373)) / 0.152381f);
+            let _e379 = end;
+            let _e380 = a_2;
+            b_2 = (_e379 - _e380);
+            let _e383 = a_2;
+            let _e384 = a_2;
+            let _e386 = a_2;
+            let _e389 = a_2;
+            let _e392 = b_2;
+            let _e396 = b_2;
+            let _e397 = b_2;
+            let _e400 = a_2;
+            let _e402 = a_2;
+            let _e405 = a_2;
+            let _e407 = b_2;
+            let _e411 = b_2;
+            let _e413 = b_2;
+            let _e418 = c_1;
+            let _e419 = c_1;
+            let _e422 = rest_1;
+            let _e425 = c_1;
+            let _e427 = c_1;
+            fourth_1 = (((((_e383 * _e384) * _e386) * ((0.2f * _e389) + (0.5714286f * _e392))) + ((_e396 * _e397) * ((((0.6666667f * _e400) * _e402) + ((0.36363637f * _e405) * _e407)) + ((0.07692308f * _e411) * _e413)))) + ((_e418 * _e419) * ((2f * _e422) + ((0.2f * _e425) * _e427))));
+            let _e435 = variance;
+            let _e439 = fourth_1;
+            along = ((1f - (4f * _e435)) + (4f * _e439));
+            let _e443 = gravity;
+            let _e445 = tick;
+            let _e447 = low;
+            speed = (_e443 / (((12.566371f * _e445) * _e447) * 1.1892071f));
+            let _e454 = sums_2;
+            let _e455 = starts_1;
+            let _e456 = ends_1;
+            let _e457 = gabor_impl_quantile(0.2443f, _e454, _e455, _e456);
+            let _e459 = sums_2;
+            let _e460 = starts_1;
+            let _e461 = ends_1;
+            let _e462 = gabor_impl_quantile(0.4885f, _e459, _e460, _e461);
+            let _e464 = sums_2;
+            let _e465 = starts_1;
+            let _e466 = ends_1;
+            let _e467 = gabor_impl_quantile(0.7328f, _e464, _e465, _e466);
+            quartile = floor((vec3<f32>(_e457, _e462, _e467) + vec3(0.5f)));
+            let _e475 = low;
+            if (_e475 > 262144f) {
+                local_20 = 0f;
             } else {
-                local_13 = 1f;
+                local_20 = 1f;
             }
-            let _e329 = local_13;
-            shown = _e329;
-            let _e332 = shown;
-            let _e333 = sum_5;
-            band.amplitude = (_e332 * sqrt(_e333));
-            let _e337 = shown;
-            let _e338 = slopes;
-            let _e342 = along;
-            let _e344 = along;
-            band.slopes = (((_e337 * _e338) * 16.195057f) * vec2<f32>(_e342, (1f - _e344)));
-            let _e349 = ocean;
-            let _e351 = band;
-            ocean.tail = (_e349.tail - _e351.slopes);
-            let _e357 = power_1;
-            let _e360 = i;
-            band.exponent = ((34i - (2i * _e357)) - _e360);
-            let _e363 = low;
-            band.low = i32((_e363 + 0.5f));
-            let _e368 = width;
-            band.quarter = i32((_e368 + 0.5f));
-            let _e374 = sum_5;
-            let _e376 = sums_1;
-            band.share = vec3<i32>((((1024f / _e374) * _e376.xyz) + vec3(0.5f)));
-            let _e385 = leans;
-            band.lean = vec4<i32>(floor(((1024f * _e385) + vec4(0.5f))));
-            let _e394 = a_2;
-            let _e395 = b_2;
-            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e394, _e395)) + vec2(0.5f))));
-            let _e405 = speed;
-            let _e407 = band;
-            let _e413 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e405) * exp2(-(f32(_e407.exponent)))) * _e413) + vec2(0.5f))));
-            let _e420 = i;
-            let _e423 = band;
-            ocean.band[_e420] = _e423;
+            let _e481 = local_20;
+            shown = _e481;
+            let _e484 = shown;
+            let _e485 = sum_5;
+            band.amplitude = (_e484 * sqrt(_e485.x));
+            let _e490 = shown;
+            let _e491 = sum_5;
+            let _e496 = along;
+            let _e498 = along;
+            band.slopes = (((_e490 * _e491.y) * 16.195057f) * vec2<f32>(_e496, (1f - _e498)));
+            let _e503 = ocean;
+            let _e505 = band;
+            ocean.tail = (_e503.tail - _e505.slopes);
+            let _e511 = power_1;
+            let _e514 = i;
+            band.exponent = ((34i - (2i * _e511)) - _e514);
+            let _e517 = low;
+            band.low = _e517;
+            let _e519 = quartile;
+            let _e526 = quartile;
+            band.quarter = (vec4<f32>(_e519.x, _e519.y, _e519.z, 424f) - vec4<f32>(0f, _e526.x, _e526.y, _e526.z));
+            let _e534 = a_2;
+            let _e535 = b_2;
+            let _e536 = c_1;
+            band.spread = floor((4092f * vec3<f32>(_e534, _e535, _e536)));
+            let _e543 = fit;
+            let _e545 = widen;
+            let _e548 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - (_e543.x * _e545)), _e548)));
+            let _e554 = speed;
+            let _e556 = band;
+            let _e562 = heading;
+            band.drift = vec2<i32>(floor(((((32768f * _e554) * exp2(-(f32(_e556.exponent)))) * _e562) + vec2(0.5f))));
+            let _e569 = i;
+            let _e572 = band;
+            ocean.band[_e569] = _e572;
         }
         continuing {
             let _e83 = i;
             i = (_e83 + 1i);
         }
     }
-    let _e425 = ocean;
-    ocean.tail = max(_e425.tail, vec2(0f));
-    let _e430 = ocean;
-    return _e430;
+    let _e574 = ocean;
+    ocean.tail = max(_e574.tail, vec2(0f));
+    let _e579 = ocean;
+    return _e579;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -351,191 +513,154 @@ fn gabor_ocean(wind: f32) -> GaborOcean {
     return _e3;
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, and a window is (value, derivative).
-fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window_x: vec2<f32>, window_y: vec2<f32>, band: GaborOceanBand, heading: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
+// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
+// derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
+fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2<f32>>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
     var bits: u32;
-    var draw: i32;
-    var u_1: i32;
-    var local_14: i32;
-    var local_15: i32;
-    var local_16: i32;
-    var at: i32;
-    var within_1: i32;
-    var local_17: i32;
-    var local_18: i32;
-    var local_19: i32;
-    var lean: i32;
-    var frequency_6: i32;
-    var ratio: i32;
-    var half_sine: i32;
-    var cosine: i32;
-    var ahead: i32;
-    var turning: i32;
-    var f_2: f32;
-    var s_2: f32;
-    var across: vec2<f32>;
+    var share_2: f32;
+    var below_1: vec4<f32>;
+    var rise: f32;
+    var square: f32;
+    var u_1: f32;
+    var v: f32;
+    var angle: f32;
+    var part_1: f32;
+    var lag: f32;
+    var carried: f32;
+    var turning: f32;
+    var k: f32;
+    var around: f32;
+    var chord: f32;
     var unit: vec2<f32>;
-    var k: vec2<f32>;
     var turns: f32;
+    var uniforms: vec2<f32>;
+    var amplitude_2: vec2<f32>;
     var z_1: vec2<f32>;
     var steps: vec2<f32>;
     var kept: f32;
-    var window: f32;
-    var wave_5: vec2<f32>;
-    var around: vec2<f32>;
+    var along_1: vec2<f32>;
+    var squeezing: f32;
+    var power_2: f32;
+    var lost: f32;
     bits = ((word ^ (word >> 15u)) * 3545902487u);
-    let _e18 = bits;
     let _e19 = bits;
-    bits = (_e18 ^ (_e19 >> 15u));
-    let _e23 = bits;
-    draw = i32((_e23 >> 22u));
-    let _e29 = bits;
-    u_1 = ((16i * i32((_e29 & 4095u))) - 32760i);
-    let _e37 = draw;
-    if (_e37 < band.share.x) {
-        local_14 = 0i;
-    } else {
-        local_14 = 1i;
-    }
-    let _e44 = local_14;
-    let _e45 = draw;
-    if (_e45 < band.share.y) {
-        local_15 = 0i;
-    } else {
-        local_15 = 1i;
-    }
-    let _e52 = local_15;
-    let _e54 = draw;
-    if (_e54 < band.share.z) {
-        local_16 = 0i;
-    } else {
-        local_16 = 1i;
-    }
-    let _e61 = local_16;
-    at = ((_e44 + _e52) + _e61);
-    let _e64 = bits;
-    within_1 = (i32((_e64 >> 12u)) & 1023i);
-    let _e71 = at;
-    if (_e71 == 0i) {
-        local_19 = band.lean.x;
-    } else {
-        let _e76 = at;
-        if (_e76 == 1i) {
-            local_18 = band.lean.y;
-        } else {
-            let _e81 = at;
-            if (_e81 == 2i) {
-                local_17 = band.lean.z;
-            } else {
-                local_17 = band.lean.w;
-            }
-            let _e89 = local_17;
-            local_18 = _e89;
-        }
-        let _e91 = local_18;
-        local_19 = _e91;
-    }
-    let _e93 = local_19;
-    lean = _e93;
-    let _e95 = within_1;
-    let _e96 = lean;
-    let _e97 = within_1;
-    let _e98 = within_1;
-    within_1 = (_e95 - ((_e96 * ((_e97 * (_e98 ^ 1023i)) >> 4u)) >> 16u));
-    let _e110 = within_1;
-    let _e111 = at;
-    within_1 = (_e110 + (_e111 << 10u));
-    let _e118 = within_1;
-    frequency_6 = (band.low + ((band.quarter * _e118) >> 10u));
-    let _e127 = within_1;
-    ratio = (13777i + ((1427i * _e127) >> 10u));
-    let _e134 = u_1;
-    let _e139 = u_1;
-    let _e140 = u_1;
-    half_sine = ((_e134 * (band.spread.x + ((band.spread.y * ((_e139 * _e140) >> 15u)) >> 15u))) >> 15u);
-    let _e156 = half_sine;
-    let _e157 = half_sine;
-    cosine = (32768i - ((_e156 * _e157) >> 14u));
-    let _e164 = frequency_6;
-    let _e168 = ratio;
-    let _e176 = cosine;
-    ahead = ((((((_e164 >> 2u) * _e168) >> 13u) >> 3u) * _e176) >> 12u);
-    let _e182 = frequency_6;
-    let _e183 = ahead;
-    turning = (_e182 - _e183);
-    let _e187 = frequency_6;
-    f_2 = (0.000015258789f * f32(_e187));
-    let _e191 = half_sine;
-    s_2 = (f32(_e191) / 32768f);
-    let _e196 = cosine;
-    let _e201 = s_2;
-    let _e204 = s_2;
-    let _e205 = s_2;
-    across = vec2<f32>((f32(_e196) / 32768f), ((2f * _e201) * sqrt(max((1f - (_e204 * _e205)), 0f))));
-    let _e214 = across;
-    let _e218 = across;
-    let _e223 = across;
-    let _e227 = across;
-    unit = vec2<f32>(((_e214.x * heading.x) - (_e218.y * heading.y)), ((_e223.x * heading.y) + (_e227.y * heading.x)));
-    let _e235 = f_2;
-    let _e237 = f_2;
-    let _e239 = unit;
-    k = (((0.6383f * _e235) * _e237) * _e239);
-    let _e242 = turning;
-    let _e251 = turning;
-    turns = (f32((((_e242 & 65535i) * (second & 65535i)) & 65535i)) + (f32(_e251) * fraction));
-    let _e256 = gabor_impl_amplitude(word);
-    let _e257 = k;
-    let _e260 = turns;
-    let _e263 = gabor_impl_wave((dot(_e257, from_) - (0.000015258789f * _e260)));
-    let _e264 = gabor_impl_product(_e256, _e263);
-    z_1 = _e264;
-    let _e266 = k;
-    let _e268 = k;
-    steps = vec2<f32>(dot(_e266, dx), dot(_e268, dy));
-    let _e274 = steps;
-    let _e275 = steps;
-    kept = exp((-4.934802f * dot(_e274, _e275)));
-    window = (window_x.x * window_y.x);
+    let _e20 = bits;
+    bits = (_e19 ^ (_e20 >> 15u));
+    let _e25 = bits;
+    share_2 = (0.00390625f * f32((_e25 >> 22u)));
+    let _e32 = share_2;
+    below_1 = (band.quarter * clamp((vec4(_e32) - vec4<f32>(0f, 1f, 2f, 3f)), vec4(0f), vec4(1f)));
+    let _e48 = below_1;
+    let _e51 = below_1;
+    let _e54 = below_1;
+    let _e57 = below_1;
+    rise = floor(((((1024f + _e48.x) + _e51.y) + _e54.z) + _e57.w));
+    let _e62 = rise;
+    let _e63 = rise;
+    square = (_e62 * _e63);
+    let _e67 = bits;
+    u_1 = ((2f * f32(((_e67 >> 11u) & 2047u))) - 2047f);
+    let _e78 = bits;
+    v = ((2f * f32((_e78 & 2047u))) - 2047f);
+    let _e86 = u_1;
+    let _e94 = u_1;
+    let _e96 = u_1;
+    let _e103 = v;
+    angle = ((_e86 * (band.spread.x + floor(((0.00048828125f * band.spread.y) * floor(((0.00048828125f * _e94) * _e96)))))) + (_e103 * band.spread.z));
+    let _e110 = angle;
+    let _e117 = rise;
+    angle = (floor((0.00012207031f * _e110)) * (band.widen.x + (band.widen.y * (_e117 - 1236f))));
+    let _e124 = angle;
+    part_1 = floor((0.00012207031f * abs(_e124)));
+    let _e130 = part_1;
+    let _e132 = part_1;
+    lag = floor(((0.00048828125f * _e130) * _e132));
+    let _e138 = square;
+    let _e144 = lag;
+    carried = floor(((0.00048828125f * floor((0.0009765625f * _e138))) * (2048f - (2f * _e144))));
+    let _e152 = rise;
+    let _e155 = carried;
+    turning = floor((floor((0.0078125f * ((2048f * _e152) - (861f * _e155)))) * (0.000061035156f * band.low)));
+    let _e166 = square;
+    k = (wave * _e166);
+    let _e170 = k;
+    around = (6.2831855f * _e170);
+    let _e174 = angle;
+    chord = (0.00000011920929f * _e174);
+    let _e179 = chord;
+    let _e181 = chord;
+    let _e184 = chord;
+    let _e187 = chord;
+    let _e189 = chord;
+    unit = vec2<f32>((1f - ((0.5f * _e179) * _e181)), (_e184 * sqrt((1f - ((0.25f * _e187) * _e189)))));
+    let _e196 = turning;
+    let _e207 = turning;
+    turns = (f32((((u32(_e196) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e207 * fraction));
+    uniforms = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
+    let _e219 = uniforms;
+    let _e221 = uniforms;
+    let _e230 = uniforms;
+    let _e231 = uniforms;
+    amplitude_2 = ((_e219 - (shape.x * clamp(_e221, vec2(-2011925800f), vec2(2011925800f)))) * ((_e230 * _e231) + vec2(shape.y)));
+    let _e238 = amplitude_2;
+    let _e239 = k;
+    let _e240 = unit;
+    let _e244 = turns;
+    let _e247 = gabor_impl_wave(((_e239 * dot(_e240, from_)) - (0.000015258789f * _e244)));
+    let _e248 = gabor_impl_product(_e238, _e247);
+    z_1 = _e248;
+    let _e250 = around;
+    let _e251 = unit;
+    let _e253 = unit;
+    steps = (_e250 * vec2<f32>(dot(_e251, dx), dot(_e253, dy)));
+    let _e260 = steps;
+    let _e261 = steps;
+    kept = exp((-0.125f * dot(_e260, _e261)));
+    let _e266 = z_1;
+    let _e267 = kept;
+    z_1 = (_e266 * _e267);
+    let _e269 = (*tilt);
+    let _e270 = z_1;
+    (*tilt) = (_e269 + (_e270.y * window.yz));
+    let _e275 = z_1;
+    z_1 = (_e275 * window.x);
+    let _e278 = z_1;
+    let _e280 = unit;
+    along_1 = (_e278.x * _e280);
+    let _e283 = around;
     let _e284 = z_1;
-    let _e285 = kept;
-    z_1 = (_e284 * _e285);
-    let _e287 = window;
-    let _e288 = z_1;
-    wave_5 = (_e287 * _e288);
-    let _e292 = k;
-    around = (6.2831855f * _e292);
-    let _e296 = (*sum);
-    let _e298 = wave_5;
-    (*sum).height = (_e296.height + _e298.y);
-    let _e302 = (*sum);
-    let _e304 = wave_5;
-    let _e306 = around;
-    let _e308 = z_1;
-    (*sum).slope = (_e302.slope + ((_e304.x * _e306) + (_e308.y * vec2<f32>((window_x.y * window_y.x), (window_x.x * window_y.y)))));
-    let _e321 = (*sum);
-    let _e323 = wave_5;
-    let _e325 = unit;
-    (*sum).shift = (_e321.shift + (_e323.x * _e325));
-    let _e328 = (*squeeze);
-    let _e329 = wave_5;
-    let _e331 = around;
-    let _e332 = unit;
-    let _e333 = (_e331 * _e332);
-    let _e334 = around;
-    let _e336 = unit;
-    (*squeeze) = (_e328 + (_e329.y * vec3<f32>(_e333.x, _e333.y, (_e334.x * _e336.y))));
-    let _e345 = (*sum);
-    let _e350 = window;
-    let _e352 = window;
-    let _e355 = kept;
-    let _e356 = kept;
-    let _e360 = around;
-    let _e361 = around;
-    let _e362 = (_e360 * _e361);
-    let _e363 = around;
-    let _e365 = around;
-    (*sum).lost = (_e345.lost + (((((band.amplitude * band.amplitude) * _e350) * _e352) * (1f - (_e355 * _e356))) * vec3<f32>(_e362.x, _e362.y, (_e363.x * _e365.y))));
+    squeezing = (_e283 * _e284.y);
+    let _e291 = around;
+    power_2 = ((shape.z * window.x) * _e291);
+    let _e294 = power_2;
+    let _e295 = power_2;
+    let _e298 = kept;
+    let _e299 = kept;
+    lost = ((_e294 * _e295) * (1f - (_e298 * _e299)));
+    let _e305 = (*sum);
+    let _e307 = z_1;
+    (*sum).height = (_e305.height + _e307.y);
+    let _e311 = (*sum);
+    let _e313 = around;
+    let _e314 = along_1;
+    (*sum).slope = (_e311.slope + (_e313 * _e314));
+    let _e318 = (*sum);
+    let _e320 = along_1;
+    (*sum).shift = (_e318.shift + _e320);
+    let _e322 = (*squeeze);
+    let _e323 = squeezing;
+    let _e324 = unit;
+    let _e326 = unit;
+    let _e327 = (_e324.x * _e326);
+    (*squeeze) = (_e322 + (_e323 * vec3<f32>(_e327.x, _e327.y, 1f)));
+    let _e335 = (*sum);
+    let _e337 = lost;
+    let _e338 = unit;
+    let _e340 = unit;
+    let _e341 = (_e338.x * _e340);
+    (*sum).lost = (_e335.lost + (_e337 * vec3<f32>(_e341.x, _e341.y, 1f)));
     return;
 }
 
@@ -564,274 +689,411 @@ fn gabor_impl_float_by(cell: i32, local: f32, exponent: i32, drift: i32, second:
     return;
 }
 
+// The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
+fn gabor_impl_water_windows(three: bool, x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    var s_2: f32;
+    var scale_2: f32;
+    if three {
+        {
+            gabor_impl_windows((x - 1f), value, slope);
+            let _e10 = (*slope);
+            (*slope) = (_e10 / vec4(1.5f));
+            return;
+        }
+    } else {
+        {
+            s_2 = ((x * x) * (3f - (2f * x)));
+            let _e26 = s_2;
+            let _e29 = s_2;
+            scale_2 = inverseSqrt((1f - ((2f * _e26) * (1f - _e29))));
+            let _e35 = scale_2;
+            let _e37 = s_2;
+            let _e39 = s_2;
+            (*value) = (_e35 * vec4<f32>((1f - _e37), _e39, 0f, 0f));
+            let _e49 = scale_2;
+            let _e51 = scale_2;
+            let _e53 = scale_2;
+            let _e55 = s_2;
+            let _e58 = s_2;
+            (*slope) = ((((((6f * x) * (1f - x)) * _e49) * _e51) * _e53) * vec4<f32>(-(_e55), (1f - _e58), 0f, 0f));
+            return;
+        }
+    }
+}
+
+fn gabor_impl_into(v: vec2<f32>, by: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(((v.x * by.x) + (v.y * by.y)), ((v.y * by.x) - (v.x * by.y)));
+}
+
 fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var heading_2: vec2<f32>;
+    var dx_2: vec2<f32>;
+    var dy_2: vec2<f32>;
+    var heading_1: vec2<f32>;
+    var back_1: vec2<f32>;
     var water: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
-    var squeezed: vec3<f32> = vec3(0f);
+    var tilt_1: vec2<f32> = vec2(0f);
     var hidden: vec2<f32>;
+    var squeeze_1: vec3<f32> = vec3(0f);
     var area: f32;
     var sides: f32;
     var least: f32;
     var i_1: i32 = 0i;
     var band_2: GaborOceanBand;
     var longest: f32;
+    var three_1: bool;
     var salt_4: u32;
     var whole_x: i32;
     var whole_y: i32;
     var rest_x: f32;
     var rest_y: f32;
-    var zero_1: vec2<f32>;
+    var rest_3: vec2<f32>;
+    var local_23: f32;
+    var inset: f32;
+    var spacing: f32;
+    var local_24: f32;
+    var local_25: f32;
+    var energy: f32;
+    var first_2: vec2<f32>;
     var offset: vec2<f32>;
     var node: vec2<i32>;
-    var x_5: vec4<f32>;
+    var x_7: vec4<f32>;
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var spacing: f32;
+    var local_26: vec3<f32>;
+    var shape_1: vec3<f32>;
+    var f_2: f32;
+    var local_27: f32;
+    var wave_6: f32;
     var left: u32;
     var middle_1: u32;
     var right: u32;
-    var sum_7: GaborWater;
-    var squeeze_1: vec3<f32>;
-    var j_2: i32;
-    var row_1: u32;
-    var local_22: vec2<f32>;
-    var local_23: vec2<f32>;
-    var window_1: vec2<f32>;
+    var across: vec2<f32>;
     var from_1: vec2<f32>;
-    var local_24: f32;
-    var scale_2: f32;
-    var local_25: f32;
-    var local_26: f32;
-    var along_1: vec3<f32>;
-    var across_1: vec3<f32>;
-    let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
-    heading_2 = _e11;
+    var down_1: vec2<f32>;
+    var j_2: i32;
+    var local_28: i32;
+    var row_1: u32;
+    var local_29: vec2<f32>;
+    var local_30: vec2<f32>;
+    var w: vec2<f32>;
+    var mean: f32;
+    var parts: vec2<f32>;
+    dx_2 = dx;
+    dy_2 = dy;
+    let _e13 = gabor_impl_wave((0.15915494f * ocean.direction));
+    heading_1 = _e13;
+    let _e15 = heading_1;
+    let _e17 = heading_1;
+    back_1 = vec2<f32>(_e15.x, -(_e17.y));
     hidden = ocean.tail;
-    area = ((dx.x * dy.y) - (dx.y * dy.x));
-    sides = (dot(dx, dx) + dot(dy, dy));
-    let _e41 = area;
-    let _e43 = area;
-    let _e45 = sides;
-    let _e46 = sides;
-    let _e47 = sides;
-    let _e50 = area;
-    let _e52 = area;
-    least = (((2f * _e41) * _e43) / max((_e45 + sqrt(max(((_e46 * _e47) - ((4f * _e50) * _e52)), 0f))), 0.000000000000000000000000000001f));
+    let _e40 = dx_2;
+    let _e42 = dy_2;
+    let _e45 = dx_2;
+    let _e47 = dy_2;
+    area = ((_e40.x * _e42.y) - (_e45.y * _e47.x));
+    let _e52 = dx_2;
+    let _e53 = dx_2;
+    let _e55 = dy_2;
+    let _e56 = dy_2;
+    sides = (dot(_e52, _e53) + dot(_e55, _e56));
+    let _e61 = area;
+    let _e63 = area;
+    let _e65 = sides;
+    let _e66 = sides;
+    let _e67 = sides;
+    let _e70 = area;
+    let _e72 = area;
+    least = (((2f * _e61) * _e63) / max((_e65 + sqrt(max(((_e66 * _e67) - ((4f * _e70) * _e72)), 0f))), 0.000000000000000000000000000001f));
+    let _e83 = dx_2;
+    let _e84 = heading_1;
+    let _e85 = gabor_impl_into(_e83, _e84);
+    dx_2 = _e85;
+    let _e86 = dy_2;
+    let _e87 = heading_1;
+    let _e88 = gabor_impl_into(_e86, _e87);
+    dy_2 = _e88;
     loop {
-        let _e65 = i_1;
-        if !((_e65 < 9i)) {
+        let _e91 = i_1;
+        if !((_e91 < 9i)) {
             break;
         }
         {
-            let _e72 = i_1;
-            band_2 = ocean.band[_e72];
-            let _e77 = band_2;
-            let _e81 = band_2;
-            longest = ((0.0000000001486f * f32(_e77.low)) * f32(_e81.low));
-            let _e86 = band_2;
-            let _e90 = longest;
-            let _e91 = longest;
-            let _e93 = least;
-            if ((_e86.amplitude == 0f) || (((_e90 * _e91) * _e93) > 1.6f)) {
+            let _e98 = i_1;
+            band_2 = ocean.band[_e98];
+            let _e103 = band_2;
+            let _e106 = band_2;
+            longest = ((0.0000000001486f * _e103.low) * _e106.low);
+            let _e110 = band_2;
+            let _e114 = longest;
+            let _e115 = longest;
+            let _e117 = least;
+            if ((_e110.amplitude == 0f) || (((_e114 * _e115) * _e117) > 1.6f)) {
                 {
-                    let _e98 = hidden;
-                    let _e99 = band_2;
-                    hidden = (_e98 + _e99.slopes);
+                    let _e122 = hidden;
+                    let _e123 = band_2;
+                    hidden = (_e122 + _e123.slopes);
                     continue;
                 }
             }
-            let _e102 = i_1;
-            let _e103 = gabor_lobe_seed(seed, _e102);
-            let _e104 = gabor_impl_salt(_e103);
-            salt_4 = _e104;
-            let _e112 = band_2;
-            let _e114 = band_2;
-            gabor_impl_float_by(cell.x, local.x, _e112.exponent, _e114.drift.x, second, fraction, (&whole_x), (&rest_x));
-            let _e123 = band_2;
-            let _e125 = band_2;
-            gabor_impl_float_by(cell.y, local.y, _e123.exponent, _e125.drift.y, second, fraction, (&whole_y), (&rest_y));
-            let _e132 = rest_x;
-            let _e133 = rest_y;
-            zero_1 = floor((vec2<f32>(_e132, _e133) + vec2(0.5f)));
-            let _e140 = rest_x;
-            let _e141 = rest_y;
-            let _e143 = zero_1;
-            offset = clamp((vec2<f32>(_e140, _e141) - _e143), vec2(-0.5f), vec2(0.5f));
-            let _e152 = whole_x;
-            let _e153 = whole_y;
-            let _e155 = zero_1;
-            node = (vec2<i32>(_e152, _e153) + vec2<i32>(_e155));
-            let _e163 = offset;
-            gabor_impl_windows(_e163.x, (&x_5), (&slope_x));
-            let _e169 = offset;
-            gabor_impl_windows(_e169.y, (&y_4), (&slope_y));
-            let _e175 = band_2;
-            spacing = exp2(f32(_e175.exponent));
-            let _e180 = slope_x;
-            let _e185 = spacing;
-            slope_x = (_e180 / vec4((1.5f * _e185)));
-            let _e189 = slope_y;
-            let _e194 = spacing;
-            slope_y = (_e189 / vec4((1.5f * _e194)));
-            let _e198 = node;
-            let _e202 = salt_4;
-            let _e203 = gabor_impl_line_word((_e198.x - 1i), _e202);
-            left = _e203;
-            let _e205 = node;
-            let _e207 = salt_4;
-            let _e208 = gabor_impl_line_word(_e205.x, _e207);
-            middle_1 = _e208;
-            let _e210 = node;
-            let _e214 = salt_4;
-            let _e215 = gabor_impl_line_word((_e210.x + 1i), _e214);
-            right = _e215;
-            sum_7 = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
-            squeeze_1 = vec3(0f);
+            let _e126 = i_1;
+            let _e129 = i_1;
+            three_1 = ((_e126 > 0i) && (_e129 < 4i));
+            let _e134 = i_1;
+            let _e135 = gabor_lobe_seed(seed, _e134);
+            let _e136 = gabor_impl_salt(_e135);
+            salt_4 = _e136;
+            let _e144 = band_2;
+            let _e146 = band_2;
+            gabor_impl_float_by(cell.x, local.x, _e144.exponent, _e146.drift.x, second, fraction, (&whole_x), (&rest_x));
+            let _e155 = band_2;
+            let _e157 = band_2;
+            gabor_impl_float_by(cell.y, local.y, _e155.exponent, _e157.drift.y, second, fraction, (&whole_y), (&rest_y));
+            let _e164 = rest_x;
+            let _e165 = rest_y;
+            let _e168 = salt_4;
+            let _e172 = salt_4;
+            rest_3 = (vec2<f32>(_e164, _e165) + (0.000015258789f * vec2<f32>(f32((_e168 & 65535u)), f32((_e172 >> 16u)))));
+            let _e180 = three_1;
+            if _e180 {
+                local_23 = 0.5f;
+            } else {
+                local_23 = 0f;
+            }
+            let _e184 = local_23;
+            inset = _e184;
+            let _e186 = band_2;
+            spacing = exp2(f32(_e186.exponent));
+            let _e191 = three_1;
+            if _e191 {
+                if false {
+                    local_24 = 1f;
+                } else {
+                    local_24 = 1.125f;
+                }
+                let _e201 = local_24;
+                local_25 = _e201;
+            } else {
+                local_25 = 1f;
+            }
+            let _e204 = local_25;
+            energy = _e204;
+            let _e206 = rest_3;
+            let _e207 = inset;
+            first_2 = floor((_e206 - vec2(_e207)));
+            let _e212 = inset;
+            let _e213 = rest_3;
+            let _e214 = inset;
+            let _e217 = first_2;
+            offset = (vec2(_e212) + clamp(((_e213 - vec2(_e214)) - _e217), vec2(0f), vec2(1f)));
+            let _e227 = whole_x;
+            let _e228 = whole_y;
+            let _e230 = first_2;
+            node = (vec2<i32>(_e227, _e228) + vec2<i32>(_e230));
+            let _e238 = three_1;
+            let _e239 = offset;
+            gabor_impl_water_windows(_e238, _e239.x, (&x_7), (&slope_x));
+            let _e245 = three_1;
+            let _e246 = offset;
+            gabor_impl_water_windows(_e245, _e246.y, (&y_4), (&slope_y));
+            let _e252 = three_1;
+            if _e252 {
+                local_26 = vec3<f32>(0.89289314f, 7397391600000000000f, 1459955300000000000000000000f);
+            } else {
+                local_26 = vec3<f32>(0f, 1000000000000000000000f, 1243281800000000000000000000000f);
+            }
+            let _e262 = local_26;
+            shape_1 = _e262;
+            let _e264 = x_7;
+            let _e265 = band_2;
+            let _e267 = energy;
+            let _e268 = shape_1;
+            x_7 = (_e264 * (_e265.amplitude / (_e267 * _e268.z)));
+            let _e273 = slope_x;
+            let _e274 = band_2;
+            let _e276 = energy;
+            let _e277 = shape_1;
+            let _e280 = spacing;
+            slope_x = (_e273 * (_e274.amplitude / ((_e276 * _e277.z) * _e280)));
+            let _e284 = slope_y;
+            let _e285 = spacing;
+            slope_y = (_e284 / vec4(_e285));
+            let _e289 = band_2;
+            f_2 = (0.000000014901161f * _e289.low);
+            let _e293 = three_1;
+            if _e293 {
+                local_27 = 0.6383f;
+            } else {
+                local_27 = 0.6354f;
+            }
+            let _e297 = local_27;
+            let _e298 = f_2;
+            let _e300 = f_2;
+            wave_6 = ((_e297 * _e298) * _e300);
+            let _e303 = node;
+            let _e305 = salt_4;
+            let _e306 = gabor_impl_line_word(_e303.x, _e305);
+            left = _e306;
+            let _e308 = node;
+            let _e312 = salt_4;
+            let _e313 = gabor_impl_line_word((_e308.x + 1i), _e312);
+            middle_1 = _e313;
+            let _e315 = node;
+            let _e319 = salt_4;
+            let _e320 = gabor_impl_line_word((_e315.x + 2i), _e319);
+            right = _e320;
+            let _e322 = spacing;
+            let _e323 = back_1;
+            across = (_e322 * _e323);
+            let _e326 = spacing;
+            let _e327 = offset;
+            let _e329 = heading_1;
+            let _e330 = gabor_impl_into((_e326 * _e327), _e329);
+            from_1 = _e330;
+            let _e332 = spacing;
+            let _e333 = heading_1;
+            down_1 = (_e332 * _e333.yx);
             j_2 = 0i;
             loop {
-                let _e232 = j_2;
-                if !((_e232 < 3i)) {
+                let _e339 = j_2;
+                let _e340 = three_1;
+                if _e340 {
+                    local_28 = 3i;
+                } else {
+                    local_28 = 2i;
+                }
+                let _e344 = local_28;
+                if !((_e339 < _e344)) {
                     break;
                 }
                 {
-                    let _e239 = node;
-                    let _e241 = j_2;
-                    let _e245 = salt_4;
-                    let _e248 = gabor_impl_line_word(((_e239.y + _e241) - 1i), (_e245 ^ 1540483477u));
-                    row_1 = _e248;
-                    let _e250 = j_2;
-                    if (_e250 == 0i) {
-                        let _e253 = y_4;
-                        let _e255 = slope_y;
-                        local_23 = vec2<f32>(_e253.x, _e255.x);
+                    let _e350 = node;
+                    let _e352 = j_2;
+                    let _e354 = salt_4;
+                    let _e357 = gabor_impl_line_word((_e350.y + _e352), (_e354 ^ 1540483477u));
+                    row_1 = _e357;
+                    let _e359 = j_2;
+                    if (_e359 == 0i) {
+                        let _e362 = y_4;
+                        let _e364 = slope_y;
+                        local_30 = vec2<f32>(_e362.x, _e364.x);
                     } else {
-                        let _e258 = j_2;
-                        if (_e258 == 1i) {
-                            let _e261 = y_4;
-                            let _e263 = slope_y;
-                            local_22 = vec2<f32>(_e261.y, _e263.y);
+                        let _e367 = j_2;
+                        if (_e367 == 1i) {
+                            let _e370 = y_4;
+                            let _e372 = slope_y;
+                            local_29 = vec2<f32>(_e370.y, _e372.y);
                         } else {
-                            let _e266 = y_4;
-                            let _e268 = slope_y;
-                            local_22 = vec2<f32>(_e266.z, _e268.z);
+                            let _e375 = y_4;
+                            let _e377 = slope_y;
+                            local_29 = vec2<f32>(_e375.z, _e377.z);
                         }
-                        let _e272 = local_22;
-                        local_23 = _e272;
+                        let _e381 = local_29;
+                        local_30 = _e381;
                     }
-                    let _e274 = local_23;
-                    window_1 = _e274;
-                    let _e276 = spacing;
-                    let _e277 = offset;
-                    let _e280 = j_2;
-                    from_1 = (_e276 * (_e277 + vec2<f32>(1f, (1f - f32(_e280)))));
-                    let _e289 = row_1;
-                    let _e290 = left;
-                    let _e292 = from_1;
-                    let _e293 = x_5;
-                    let _e295 = slope_x;
-                    let _e298 = window_1;
-                    let _e299 = band_2;
-                    let _e300 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e289 * _e290), _e292, vec2<f32>(_e293.x, _e295.x), _e298, _e299, _e300, second, fraction, dx, dy);
-                    let _e304 = from_1;
-                    let _e306 = spacing;
-                    from_1.x = (_e304.x - _e306);
-                    let _e310 = row_1;
-                    let _e311 = middle_1;
-                    let _e313 = from_1;
-                    let _e314 = x_5;
-                    let _e316 = slope_x;
-                    let _e319 = window_1;
-                    let _e320 = band_2;
-                    let _e321 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e310 * _e311), _e313, vec2<f32>(_e314.y, _e316.y), _e319, _e320, _e321, second, fraction, dx, dy);
-                    let _e325 = from_1;
-                    let _e327 = spacing;
-                    from_1.x = (_e325.x - _e327);
-                    let _e331 = row_1;
-                    let _e332 = right;
-                    let _e334 = from_1;
-                    let _e335 = x_5;
-                    let _e337 = slope_x;
-                    let _e340 = window_1;
-                    let _e341 = band_2;
-                    let _e342 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e331 * _e332), _e334, vec2<f32>(_e335.z, _e337.z), _e340, _e341, _e342, second, fraction, dx, dy);
+                    let _e383 = local_30;
+                    w = _e383;
+                    let _e388 = row_1;
+                    let _e389 = left;
+                    let _e391 = from_1;
+                    let _e392 = x_7;
+                    let _e394 = w;
+                    let _e397 = slope_x;
+                    let _e399 = w;
+                    let _e402 = x_7;
+                    let _e404 = w;
+                    let _e408 = band_2;
+                    let _e409 = wave_6;
+                    let _e410 = shape_1;
+                    let _e411 = dx_2;
+                    let _e412 = dy_2;
+                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e388 * _e389), _e391, vec3<f32>((_e392.x * _e394.x), (_e397.x * _e399.x), (_e402.x * _e404.y)), _e408, _e409, _e410, second, fraction, _e411, _e412);
+                    let _e419 = row_1;
+                    let _e420 = middle_1;
+                    let _e422 = from_1;
+                    let _e423 = across;
+                    let _e425 = x_7;
+                    let _e427 = w;
+                    let _e430 = slope_x;
+                    let _e432 = w;
+                    let _e435 = x_7;
+                    let _e437 = w;
+                    let _e441 = band_2;
+                    let _e442 = wave_6;
+                    let _e443 = shape_1;
+                    let _e444 = dx_2;
+                    let _e445 = dy_2;
+                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e419 * _e420), (_e422 - _e423), vec3<f32>((_e425.y * _e427.x), (_e430.y * _e432.x), (_e435.y * _e437.y)), _e441, _e442, _e443, second, fraction, _e444, _e445);
+                    let _e449 = three_1;
+                    if _e449 {
+                        let _e453 = row_1;
+                        let _e454 = right;
+                        let _e456 = from_1;
+                        let _e458 = across;
+                        let _e461 = x_7;
+                        let _e463 = w;
+                        let _e466 = slope_x;
+                        let _e468 = w;
+                        let _e471 = x_7;
+                        let _e473 = w;
+                        let _e477 = band_2;
+                        let _e478 = wave_6;
+                        let _e479 = shape_1;
+                        let _e480 = dx_2;
+                        let _e481 = dy_2;
+                        gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e453 * _e454), (_e456 - (2f * _e458)), vec3<f32>((_e461.z * _e463.x), (_e466.z * _e468.x), (_e471.z * _e473.y)), _e477, _e478, _e479, second, fraction, _e480, _e481);
+                    }
+                    let _e485 = from_1;
+                    let _e486 = down_1;
+                    from_1 = (_e485 - _e486);
                 }
                 continuing {
-                    let _e236 = j_2;
-                    j_2 = (_e236 + 1i);
+                    let _e347 = j_2;
+                    j_2 = (_e347 + 1i);
                 }
             }
-            let _e345 = band_2;
-            if false {
-                local_24 = 1f;
-            } else {
-                local_24 = 1.125f;
-            }
-            let _e357 = local_24;
-            scale_2 = (_e345.amplitude / (1459955300000000000000000000f * _e357));
-            let _e362 = water;
-            let _e364 = scale_2;
-            let _e365 = sum_7;
-            water.height = (_e362.height + (_e364 * _e365.height));
-            let _e370 = water;
-            let _e372 = scale_2;
-            let _e373 = sum_7;
-            water.slope = (_e370.slope + (_e372 * _e373.slope));
-            let _e378 = water;
-            let _e380 = scale_2;
-            let _e381 = sum_7;
-            water.shift = (_e378.shift + (_e380 * _e381.shift));
-            let _e385 = squeezed;
-            let _e386 = scale_2;
-            let _e387 = squeeze_1;
-            squeezed = (_e385 + (_e386 * _e387));
-            let _e391 = water;
-            let _e393 = sum_7;
-            if false {
-                local_25 = 1f;
-            } else {
-                local_25 = 1.125f;
-            }
-            let _e404 = local_25;
-            if false {
-                local_26 = 1f;
-            } else {
-                local_26 = 1.125f;
-            }
-            let _e414 = local_26;
-            water.lost = (_e391.lost + (_e393.lost / vec3((_e404 * _e414))));
         }
         continuing {
-            let _e69 = i_1;
-            i_1 = (_e69 + 1i);
+            let _e95 = i_1;
+            i_1 = (_e95 + 1i);
         }
     }
-    let _e421 = squeezed;
-    let _e425 = squeezed;
-    let _e429 = squeezed;
-    let _e431 = squeezed;
-    water.fold = (((1f - _e421.x) * (1f - _e425.y)) - (_e429.z * _e431.z));
-    let _e435 = heading_2;
-    let _e436 = heading_2;
-    let _e437 = (_e435 * _e436);
-    let _e438 = heading_2;
-    let _e440 = heading_2;
-    along_1 = vec3<f32>(_e437.x, _e437.y, (_e438.x * _e440.y));
-    let _e447 = along_1;
-    let _e448 = _e447.yx;
-    let _e449 = along_1;
-    across_1 = vec3<f32>(_e448.x, _e448.y, -(_e449.z));
-    let _e457 = water;
-    let _e459 = hidden;
-    let _e461 = along_1;
-    let _e463 = hidden;
-    let _e465 = across_1;
-    water.lost = (_e457.lost + ((_e459.x * _e461) + (_e463.y * _e465)));
-    let _e469 = water;
-    return _e469;
+    let _e489 = water;
+    let _e491 = back_1;
+    let _e492 = gabor_impl_into(_e489.slope, _e491);
+    let _e493 = tilt_1;
+    water.slope = (_e492 + _e493);
+    let _e496 = water;
+    let _e498 = back_1;
+    let _e499 = gabor_impl_into(_e496.shift, _e498);
+    water.shift = _e499;
+    let _e502 = squeeze_1;
+    let _e506 = squeeze_1;
+    let _e509 = squeeze_1;
+    let _e513 = squeeze_1;
+    let _e515 = squeeze_1;
+    water.fold = (((1f - _e502.x) * ((1f - _e506.z) + _e509.x)) - (_e513.y * _e515.y));
+    let _e520 = water;
+    let _e523 = hidden;
+    let _e526 = hidden;
+    mean = (0.5f * ((_e520.lost.z + _e523.x) + _e526.y));
+    let _e531 = water;
+    let _e534 = hidden;
+    let _e537 = mean;
+    let _e539 = water;
+    let _e543 = back_1;
+    let _e544 = gabor_impl_into(vec2<f32>(((_e531.lost.x + _e534.x) - _e537), _e539.lost.y), _e543);
+    let _e545 = back_1;
+    let _e546 = gabor_impl_into(_e544, _e545);
+    parts = _e546;
+    let _e549 = mean;
+    let _e550 = parts;
+    let _e553 = mean;
+    let _e554 = parts;
+    let _e557 = parts;
+    water.lost = vec3<f32>((_e549 + _e550.x), (_e553 - _e554.x), _e557.y);
+    let _e560 = water;
+    return _e560;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
@@ -855,23 +1117,23 @@ fn gabor_water(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> Gabo
 }
 
 fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> f32 {
-    var at_1: vec2<f32>;
+    var at: vec2<f32>;
     var i_2: i32 = 0i;
-    at_1 = p;
+    at = p;
     loop {
         let _e7 = i_2;
         if !((_e7 < 5i)) {
             break;
         }
-        let _e14 = at_1;
+        let _e14 = at;
         let _e15 = gabor_water(_e14, seconds, ocean, seed);
-        at_1 = (p - _e15.shift);
+        at = (p - _e15.shift);
         continuing {
             let _e11 = i_2;
             i_2 = (_e11 + 1i);
         }
     }
-    let _e18 = at_1;
+    let _e18 = at;
     let _e19 = gabor_water(_e18, seconds, ocean, seed);
     return _e19.height;
 }

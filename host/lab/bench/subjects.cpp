@@ -86,7 +86,7 @@ void add_space(std::vector<Subject>& all) {
 void add_water(std::vector<Subject>& all) {
     std::uint32_t number = 0;
     for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone"}) {
-        all.push_back({name, 81, water_spirv, nullptr, {number++}});
+        all.push_back({name, 51, water_spirv, nullptr, {number++}});
         all.back().has_loops = true;
         all.back().table = render::ocean_table({});
     }
