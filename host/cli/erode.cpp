@@ -55,11 +55,16 @@ struct ErodeOptions {
 render::Request defaults_of(const std::string& preset) {
     render::Request request = render::preset(preset);
     request.seed = 0;
+    const auto multiply = [&request](const char* name, double factor) {
+        const render::Parameter& parameter = render::parameter(name);
+        parameter.place.put(request, factor * std::get<double>(*parameter.get(request)));
+    };
     // Twice the rms slope of a map: less would dam its valleys.
     render::parameter("onset").place.put(request, 2 * render::preset_slope);
     // Maps show more hills than the views that presets are made for.
-    const render::Parameter& frequency = render::parameter("gully_frequency");
-    frequency.place.put(request, 3 * std::get<double>(*frequency.get(request)));
+    multiply("gully_frequency", 1.5);
+    // Sharp creases leave pits where they cross the valleys of a map.
+    multiply("crease_rounding", 4);
     return request;
 }
 
