@@ -141,6 +141,16 @@ class Erode(ProgramTest):
         self.assertLess(np.abs(out["erosion"] - whole["erosion"])[far].max(), 0.1 * np.abs(whole["erosion"]).max())
         self.assertLess(np.abs(out["slope.x"])[~missing].max(), 2 * np.abs(whole["slope.x"]).max())
 
+    def test_pixels_without_a_height_leave_the_rms_slope(self):
+        slopes = []
+        for missing in 0, 48:
+            ramp = np.repeat(np.arange(96, dtype="f4")[:, None], 96, axis=1)
+            ramp[:, 96 - missing:] = -9999
+            write_exr(self.folder / "ramp.exr", {"Y": ramp})
+            self.eroded("--nodata=-9999", map="ramp.exr")
+            slopes.append(Exr(self.folder / "out.exr").parameters["slope"])
+        self.assertAlmostEqual(*slopes, places=6)
+
     def test_a_real_map_without_options(self):
         """A part of 64 x 64 texels is one mountainside, the whole has 140000 texels of hills and plains."""
         source = pathlib.Path(matplotlib.get_data_path(), "sample_data", "jacksboro_fault_dem.npz")
