@@ -167,6 +167,15 @@ class Erode(ProgramTest):
             self.assertTrue(0.005 < rms < 0.04)
             self.assertLess(ratio, 2.5)
 
+    def test_without_strength_heights_change_by_an_eighth_at_most(self):
+        """Of a range of hills, whose summits are low for so many slopes."""
+        many = np.tile(hills(64), (6, 6))
+        write_exr(self.folder / "many.exr", {"Y": many})
+        limited, given = (np.abs(self.eroded(*options, map="many.exr")["erosion"]).max() / np.ptp(many)
+                          for options in ([], ["--strength=0.15"]))
+        self.assertTrue(0.11 < limited < 0.1251, limited)
+        self.assertGreater(given, 0.14)
+
     def test_the_content_decides_the_format(self):
         levels = np.round(65535 * self.map).astype("<u2")
         (self.folder / "map.raw").write_bytes(levels.tobytes())
