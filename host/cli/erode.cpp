@@ -51,6 +51,11 @@ struct ErodeOptions {
     std::string device;
 };
 
+void multiply(render::Request& request, const char* name, double factor) {
+    const render::Parameter& parameter = render::parameter(name);
+    parameter.place.put(request, factor * std::get<double>(*parameter.get(request)));
+}
+
 // The terrain whose erosion and seed a map gets, before any options.
 render::Request defaults_of(const std::string& preset) {
     render::Request request = render::preset(preset);
@@ -58,8 +63,9 @@ render::Request defaults_of(const std::string& preset) {
     // Twice the rms slope of a map: less would dam its valleys.
     render::parameter("onset").place.put(request, 2 * render::preset_slope);
     // Maps show more hills than the views that presets are made for.
-    const render::Parameter& frequency = render::parameter("gully_frequency");
-    frequency.place.put(request, 3 * std::get<double>(*frequency.get(request)));
+    multiply(request, "gully_frequency", 1.5);
+    // Sharp creases leave pits where they cross the valleys of a map.
+    multiply(request, "crease_rounding", 4);
     return request;
 }
 
@@ -156,6 +162,20 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     return map;
 }
 
+bool is_given(const ErodeOptions& options, std::string_view name) {
+    return std::ranges::any_of(options.parameters, [name](const auto& each) {
+        return each.first->name == name && each.second->count() > 0;
+    });
+}
+
+// Makes erosion change heights by at most an eighth of their range.
+void limit_strength(render::Request& request, const Map& map) {
+    const double most = (map.smoothed.range[1] - map.smoothed.range[0]) / 8;
+    const double reach = render::erosion_reach(map.smoothed, map.width, map.extent, request);
+    if (reach > most)
+        multiply(request, "strength", most / reach);
+}
+
 void check_output(const ErodeOptions& options) {
     check_extension("-o", options.output, {".exr", ".png", ".r16"}, true);
     std::error_code ignored;
@@ -239,9 +259,11 @@ void erode(const ErodeOptions& options) {
     std::optional<double> extent = format.extent;
     if (options.extent)
         extent = positive("--extent", *options.extent, "the width of the map, above 0");
-    const render::Request request = request_of(options, extent);
+    render::Request request = request_of(options, extent);
     const Map map = map_of(options, open, format, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));
+    if (!is_given(options, "strength"))
+        limit_strength(request, map);
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};
     check_within(region, map.width, map.height, "--region", "map");
@@ -289,7 +311,8 @@ void add_erode_command(CLI::App& app) {
     add_option(*command, "--gully-width", options->gully_width, "NUMBER",
                "Width of the widest gullies, in the unit of --extent, in place of --gully-frequency");
     add_option(*command, "--preset", options->preset, "NAME",
-               fmt::format("Shape of the gullies, with the defaults of all options below: {} [{}]",
+               fmt::format("Shape of the gullies, with the defaults of all options below, but without "
+                           "--strength, heights change by at most an eighth of their range: {} [{}]",
                            fmt::join(terrain_presets(), ", "), options->preset));
     const render::Request defaults = defaults_of(options->preset);
     for (const render::Parameter& p : render::parameters())

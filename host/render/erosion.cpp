@@ -158,9 +158,10 @@ SmoothedMap smoothed(const HeightMap& map, double spacing) {
             wrap(*each, result.intervals[1], across, across, 1);
         }
     result.range = {low, high};
+    constexpr double no_weight = 1e-9;
     const float middle = low / 2 + high / 2;
     for (std::size_t i = 0; i < sums.size(); ++i)
-        result.heights.push_back(weights[i] > 1e-9 ? static_cast<float>(sums[i] / weights[i]) : middle);
+        result.heights.push_back(weights[i] > no_weight ? static_cast<float>(sums[i] / weights[i]) : middle);
 
     const auto at = [&](std::size_t x, std::size_t y) { return double{result.heights[y * across + x]}; };
     const auto along = [&](auto height) { // the derivative at the middle node of 3 x 3
@@ -169,16 +170,25 @@ SmoothedMap smoothed(const HeightMap& map, double spacing) {
             slope += (i == 1 ? 4.0 : 1.0) / 12 * (height(2, i) - height(0, i));
         return slope;
     };
-    double power = 0;
+    const auto is_known = [&](std::size_t x, std::size_t y) { // all of the 3 x 3 nodes
+        for (std::size_t i = 0; i < 9; ++i)
+            if (weights[(y + i / 3) * across + x + i % 3] <= no_weight)
+                return false;
+        return true;
+    };
+    double power = 0, nodes = 0;
     for (std::size_t y = 0; y + 2 < down; ++y)
         for (std::size_t x = 0; x + 2 < across; ++x) {
+            if (!is_known(x, y))
+                continue;
+            ++nodes;
             const auto offset = [](int i) { return static_cast<std::size_t>(i); };
             const double to_right = along([&](int i, int j) { return at(x + offset(i), y + offset(j)); });
             const double to_bottom = along([&](int i, int j) { return at(x + offset(j), y + offset(i)); });
             power += std::pow(to_right * result.intervals[0] / map.width, 2) +
                      std::pow(to_bottom * result.intervals[1] / map.height, 2);
         }
-    result.slope = std::sqrt(power / static_cast<double>((across - 2) * (down - 2)));
+    result.slope = std::sqrt(power / nodes);
     return result;
 }
 

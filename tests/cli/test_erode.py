@@ -2,8 +2,10 @@
 seams."""
 
 import json
+import pathlib
 import unittest
 
+import matplotlib
 import numpy as np
 import PIL.Image
 from exr import Exr, write_exr
@@ -21,6 +23,12 @@ def hills(side=SIDE, rows=None):
     return (0.5 + 0.2 * np.sin(x + 1) * np.cos(y) + 0.2 * np.sin(2 * y - x)).astype("f4")
 
 
+def minima(heights):
+    """Returns how many pixels are lower than their eight neighbours."""
+    around = np.lib.stride_tricks.sliding_window_view(heights, (3, 3)).reshape(-1, 9)
+    return np.sum(around[:, 4] < np.delete(around, 4, axis=1).min(1))
+
+
 class Erode(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -36,7 +44,7 @@ class Erode(ProgramTest):
         out = self.eroded()
         self.assertEqual(set(out), {"height", "slope.x", "slope.y", "ridge", "erosion"})
         np.testing.assert_allclose(out["height"], self.map + out["erosion"], atol=1e-6)
-        self.assertGreater(out["erosion"].std(), 0.01)
+        self.assertGreater(out["erosion"].std(), 0.005)
         self.assertLess(np.abs(out["ridge"]).max(), 1.001)
         self.assertGreater(out["ridge"].std(), 0.2)
 
@@ -65,8 +73,8 @@ class Erode(ProgramTest):
         def edges(values):
             return np.abs(values[0] - values[-1]).mean() + np.abs(values[:, 0] - values[:, -1]).mean()
         inner = lambda values: np.abs(np.diff(values, axis=0)).mean() + np.abs(np.diff(values, axis=1)).mean()
-        tile, patch = self.eroded("--seed=3", "--tileable")["erosion"], self.eroded("--seed=3")["erosion"]
-        # With seeds 1 to 12, edges / inner is 0.65 to 0.99 for tiles (mean 0.83) and 0.96 to 2.08 for patches (mean 1.36).
+        tile, patch = self.eroded("--seed=6", "--tileable")["erosion"], self.eroded("--seed=6")["erosion"]
+        # With seeds 1 to 12, edges / inner is 0.55 to 0.94 for tiles (mean 0.78) and 0.86 to 2.08 for patches (mean 1.25).
         self.assertLess(edges(tile), 1.15 * inner(tile))
         self.assertGreater(edges(patch), 1.3 * inner(patch))
 
@@ -132,6 +140,41 @@ class Erode(ProgramTest):
         far[16:74, 6:84] = False
         self.assertLess(np.abs(out["erosion"] - whole["erosion"])[far].max(), 0.1 * np.abs(whole["erosion"]).max())
         self.assertLess(np.abs(out["slope.x"])[~missing].max(), 2 * np.abs(whole["slope.x"]).max())
+
+    def test_pixels_without_a_height_leave_the_rms_slope(self):
+        slopes = []
+        for missing in 0, 48:
+            ramp = np.repeat(np.arange(96, dtype="f4")[:, None], 96, axis=1)
+            ramp[:, 96 - missing:] = -9999
+            write_exr(self.folder / "ramp.exr", {"Y": ramp})
+            self.eroded("--nodata=-9999", map="ramp.exr")
+            slopes.append(Exr(self.folder / "out.exr").parameters["slope"])
+        self.assertAlmostEqual(*slopes, places=6)
+
+    def test_a_real_map_without_options(self):
+        """A part of 64 x 64 texels is one mountainside, the whole has 140000 texels of hills and plains."""
+        source = pathlib.Path(matplotlib.get_data_path(), "sample_data", "jacksboro_fault_dem.npz")
+        whole = np.load(source)["elevation"].astype("f4")
+        for heights in whole, whole[200:264, 20:84]:
+            write_exr(self.folder / "real.exr", {"Y": heights})
+            self.succeed("erode", "real.exr", "-o", "out.exr")
+            out = Exr(self.folder / "out.exr").channels
+            change = out["erosion"].astype(float) / np.ptp(heights)
+            rms = np.sqrt(np.mean(change**2))
+            ratio = minima(out["height"]) / minima(heights)
+            print(f"{heights.shape}: largest change {np.abs(change).max():.3f} of the relief, rms {rms:.4f}, minima {ratio:.2f} times")
+            self.assertLess(np.abs(change).max(), 1 / 8)
+            self.assertTrue(0.005 < rms < 0.04)
+            self.assertLess(ratio, 2.5)
+
+    def test_without_strength_heights_change_by_an_eighth_at_most(self):
+        """Of a range of hills, whose summits are low for so many slopes."""
+        many = np.tile(hills(64), (6, 6))
+        write_exr(self.folder / "many.exr", {"Y": many})
+        limited, given = (np.abs(self.eroded(*options, map="many.exr")["erosion"]).max() / np.ptp(many)
+                          for options in ([], ["--strength=0.15"]))
+        self.assertTrue(0.11 < limited < 0.1251, limited)
+        self.assertGreater(given, 0.14)
 
     def test_the_content_decides_the_format(self):
         levels = np.round(65535 * self.map).astype("<u2")
