@@ -7,9 +7,9 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
-# The page that contains drop-ins: it opens from disk, where a browser cannot read other files.
+# The page that contains shaders: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
-IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
+IN_PAGE = re.compile(r'(<script type="text/plain" id="(\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
 
 
 def needed(path):
@@ -52,4 +52,6 @@ def made(shader):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
     trees = {path.stem: shader(path) for path in DROP_INS}
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(trees["gabor_materials"], trees["gabor_erosion"])
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + trees[match[2]].text + match[3], DEMO.read_text())
+    texts = {name: tree.text for name, tree in trees.items()}
+    texts |= {path.stem: path.read_text() for path in (ROOT / "shaders" / "passes").glob("*.glsl")}
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())

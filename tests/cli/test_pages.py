@@ -1,5 +1,6 @@
 """Checks that the examples and figures of README.md and docs are true."""
 
+import gzip
 import pathlib
 import re
 import sys
@@ -34,6 +35,13 @@ class Readme(ProgramTest):
         self.assertGreater(len(rows), 4)
         for recipe, cycles in rows:
             self.assertRegex(performance, rf"(?m)^\| gabor_noise, {recipe} \|.* \| {cycles} \| \S+ \|$")
+
+
+class LivePage(unittest.TestCase):
+    def test_it_is_small(self):
+        size = len(gzip.compress((ROOT / "docs" / "demo" / "index.html").read_bytes()))
+        print(f"  {size / 1000:.1f} kB compressed")
+        self.assertLess(size, 250_000)
 
 
 class Engines(ProgramTest):
