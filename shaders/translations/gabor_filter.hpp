@@ -525,7 +525,8 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     }
     // The windows allow a standard deviation of at most 0.2.
     s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
-    float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(kept / gabor_impl_transmitted_isotropic_2d(frequency, s));
+    float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
+    float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(gabor_cpp_min(kept / gabor_cpp_max(narrower, 1.0e-30f), 1.0f));
     gabor_vec2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
     gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);

@@ -526,7 +526,8 @@ inline GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, fl
     }
     // The windows allow a standard deviation of at most 0.2.
     s *= 0.04 / max(0.5 * (s.x + s.y + length(float2(s.x - s.y, 2.0 * s.z))), 0.04);
-    float amplitude = GABOR_IMPL_STAR * sqrt(kept / gabor_impl_transmitted_isotropic_2d(frequency, s));
+    float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
+    float amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
     float2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= float3(stretch * stretch, stretch.x * stretch.y);
     float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);

@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b3f8581f62d96626.
+// naga 30.0.1 made it from GLSL with the digest 2a272e1ee73cd25f.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -1213,6 +1213,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var s_6: vec3<f32>;
     var kept: f32;
     var field_9: GaborField;
+    var narrower: f32;
     var local_23: f32;
     var amplitude_3: f32;
     var stretch_5: vec2<f32>;
@@ -1260,139 +1261,141 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     let _e45 = s_6;
     let _e49 = s_6;
     s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
+    let _e60 = frequency_16;
+    let _e61 = s_6;
+    let _e62 = gabor_impl_transmitted_isotropic_2d(_e60, _e61);
+    narrower = _e62;
     if false {
         local_23 = 1f;
     } else {
         local_23 = 1.125f;
     }
-    let _e71 = local_23;
-    let _e74 = kept;
-    let _e75 = frequency_16;
-    let _e76 = s_6;
-    let _e77 = gabor_impl_transmitted_isotropic_2d(_e75, _e76);
-    amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e71)) * sqrt((_e74 / _e77)));
+    let _e75 = local_23;
+    let _e78 = kept;
+    let _e79 = narrower;
+    amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e75)) * sqrt(min((_e78 / max(_e79, 0.000000000000000000000000000001f)), 1f)));
     stretch_5 = (place.radius / vec2(1.5f));
-    let _e90 = frequency_16;
-    let _e91 = stretch_5;
-    unit_4 = (vec2(_e90) / _e91);
-    let _e95 = s_6;
-    let _e96 = stretch_5;
+    let _e96 = frequency_16;
     let _e97 = stretch_5;
-    let _e98 = (_e96 * _e97);
-    let _e99 = stretch_5;
-    let _e101 = stretch_5;
-    s_6 = (_e95 * vec3<f32>(_e98.x, _e98.y, (_e99.x * _e101.y)));
-    let _e110 = s_6;
-    fall_1 = exp((-4.934802f * _e110.xy));
+    unit_4 = (vec2(_e96) / _e97);
+    let _e101 = s_6;
+    let _e102 = stretch_5;
+    let _e103 = stretch_5;
+    let _e104 = (_e102 * _e103);
+    let _e105 = stretch_5;
+    let _e107 = stretch_5;
+    s_6 = (_e101 * vec3<f32>(_e104.x, _e104.y, (_e105.x * _e107.y)));
     let _e116 = s_6;
-    width_3 = clamp((0.5f * sqrt(_e116.xy)), vec2(0.001f), vec2(0.05f));
-    let _e126 = gabor_impl_salt(seed);
-    salt_9 = _e126;
-    let _e134 = salt_9;
-    let _e140 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e134, 0f, 1.5f);
-    x_12 = _e140;
-    let _e148 = salt_9;
-    let _e156 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e148 ^ 1540483477u), 0f, 1.5f);
-    y_8 = _e156;
+    fall_1 = exp((-4.934802f * _e116.xy));
+    let _e122 = s_6;
+    width_3 = clamp((0.5f * sqrt(_e122.xy)), vec2(0.001f), vec2(0.05f));
+    let _e132 = gabor_impl_salt(seed);
+    salt_9 = _e132;
+    let _e140 = salt_9;
+    let _e146 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e140, 0f, 1.5f);
+    x_12 = _e146;
+    let _e154 = salt_9;
+    let _e162 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e154 ^ 1540483477u), 0f, 1.5f);
+    y_8 = _e162;
     loop {
-        let _e169 = j_4;
-        if !((_e169 < 3i)) {
+        let _e175 = j_4;
+        if !((_e175 < 3i)) {
             break;
         }
         {
-            let _e176 = j_4;
-            let _e179 = y_8.word[_e176];
-            let _e180 = gabor_impl_row(_e179);
-            row_5 = _e180;
+            let _e182 = j_4;
+            let _e185 = y_8.word[_e182];
+            let _e186 = gabor_impl_row(_e185);
+            row_5 = _e186;
             i_7 = 0i;
             loop {
-                let _e184 = i_7;
-                if !((_e184 < 3i)) {
+                let _e190 = i_7;
+                if !((_e190 < 3i)) {
                     break;
                 }
                 {
-                    let _e191 = x_12;
-                    let _e193 = i_7;
-                    let _e198 = y_8;
-                    let _e200 = j_4;
-                    d_5 = (vec2<f32>((_e191.offset - f32((_e193 - 1i))), (_e198.offset - f32((_e200 - 1i)))) / vec2(1.5f));
-                    let _e213 = i_7;
-                    let _e216 = x_12.word[_e213];
-                    let _e217 = row_5;
-                    let _e219 = unit_4;
-                    let _e220 = d_5;
-                    let _e223 = gabor_impl_star((_e216 * _e217), (_e219 * _e220), place.moment);
-                    star_2 = _e223;
+                    let _e197 = x_12;
+                    let _e199 = i_7;
+                    let _e204 = y_8;
+                    let _e206 = j_4;
+                    d_5 = (vec2<f32>((_e197.offset - f32((_e199 - 1i))), (_e204.offset - f32((_e206 - 1i)))) / vec2(1.5f));
+                    let _e219 = i_7;
+                    let _e222 = x_12.word[_e219];
+                    let _e223 = row_5;
+                    let _e225 = unit_4;
                     let _e226 = d_5;
-                    let _e230 = width_3;
-                    t_8 = clamp(((vec2(1f) - abs(_e226)) / _e230), vec2(0f), vec2(1f));
-                    let _e238 = t_8;
-                    let _e239 = t_8;
-                    let _e243 = t_8;
-                    fade_3 = ((_e238 * _e239) * (vec2(3f) - (2f * _e243)));
-                    let _e251 = width_3;
-                    let _e254 = t_8;
-                    let _e257 = t_8;
-                    let _e261 = d_5;
-                    change = ((((vec2(-6f) / _e251) * _e254) * (vec2(1f) - _e257)) * sign(_e261));
-                    let _e265 = fall_1;
-                    let _e266 = i_7;
-                    let _e269 = x_12.node[_e266];
-                    let _e271 = j_4;
-                    let _e274 = y_8.node[_e271];
-                    cosine = (_e265 * (vec2<f32>(_e269.x, _e274.x) - vec2(0.5f)));
-                    let _e283 = fade_3;
-                    let _e285 = fade_3;
-                    let _e286 = cosine;
-                    let _e288 = fade_3;
-                    let _e289 = fall_1;
-                    let _e291 = i_7;
-                    let _e294 = x_12.node[_e291];
-                    let _e296 = j_4;
-                    let _e299 = y_8.node[_e296];
-                    node_2 = GaborWindows((0.5f * _e283), (_e285 * _e286), ((_e288 * _e289) * vec2<f32>(_e294.z, _e299.z)));
-                    let _e305 = change;
-                    let _e306 = fade_3;
-                    faded_3 = (_e305 / max(_e306, vec2(0.000001f)));
-                    let _e313 = node_2;
-                    let _e314 = faded_3;
-                    let _e315 = s_6;
-                    let _e316 = star_2;
-                    let _e318 = unit_4;
-                    let _e319 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e313, _e314, _e315, _e316.first, (_e318 * _e319.u));
-                    let _e324 = node_2;
-                    let _e325 = faded_3;
-                    let _e326 = s_6;
-                    let _e327 = star_2;
-                    let _e329 = unit_4;
-                    let _e330 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e324, _e325, _e326, _e327.second, (_e329 * _e330.v));
-                    let _e335 = node_2;
-                    let _e336 = faded_3;
-                    let _e337 = s_6;
-                    let _e338 = star_2;
-                    let _e340 = unit_4;
-                    let _e341 = star_2;
-                    let _e343 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e335, _e336, _e337, _e338.third, (_e340 * (_e341.v - _e343.u)));
+                    let _e229 = gabor_impl_star((_e222 * _e223), (_e225 * _e226), place.moment);
+                    star_2 = _e229;
+                    let _e232 = d_5;
+                    let _e236 = width_3;
+                    t_8 = clamp(((vec2(1f) - abs(_e232)) / _e236), vec2(0f), vec2(1f));
+                    let _e244 = t_8;
+                    let _e245 = t_8;
+                    let _e249 = t_8;
+                    fade_3 = ((_e244 * _e245) * (vec2(3f) - (2f * _e249)));
+                    let _e257 = width_3;
+                    let _e260 = t_8;
+                    let _e263 = t_8;
+                    let _e267 = d_5;
+                    change = ((((vec2(-6f) / _e257) * _e260) * (vec2(1f) - _e263)) * sign(_e267));
+                    let _e271 = fall_1;
+                    let _e272 = i_7;
+                    let _e275 = x_12.node[_e272];
+                    let _e277 = j_4;
+                    let _e280 = y_8.node[_e277];
+                    cosine = (_e271 * (vec2<f32>(_e275.x, _e280.x) - vec2(0.5f)));
+                    let _e289 = fade_3;
+                    let _e291 = fade_3;
+                    let _e292 = cosine;
+                    let _e294 = fade_3;
+                    let _e295 = fall_1;
+                    let _e297 = i_7;
+                    let _e300 = x_12.node[_e297];
+                    let _e302 = j_4;
+                    let _e305 = y_8.node[_e302];
+                    node_2 = GaborWindows((0.5f * _e289), (_e291 * _e292), ((_e294 * _e295) * vec2<f32>(_e300.z, _e305.z)));
+                    let _e311 = change;
+                    let _e312 = fade_3;
+                    faded_3 = (_e311 / max(_e312, vec2(0.000001f)));
+                    let _e319 = node_2;
+                    let _e320 = faded_3;
+                    let _e321 = s_6;
+                    let _e322 = star_2;
+                    let _e324 = unit_4;
+                    let _e325 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e319, _e320, _e321, _e322.first, (_e324 * _e325.u));
+                    let _e330 = node_2;
+                    let _e331 = faded_3;
+                    let _e332 = s_6;
+                    let _e333 = star_2;
+                    let _e335 = unit_4;
+                    let _e336 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e330, _e331, _e332, _e333.second, (_e335 * _e336.v));
+                    let _e341 = node_2;
+                    let _e342 = faded_3;
+                    let _e343 = s_6;
+                    let _e344 = star_2;
+                    let _e346 = unit_4;
+                    let _e347 = star_2;
+                    let _e349 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e341, _e342, _e343, _e344.third, (_e346 * (_e347.v - _e349.u)));
                 }
                 continuing {
-                    let _e188 = i_7;
-                    i_7 = (_e188 + 1i);
+                    let _e194 = i_7;
+                    i_7 = (_e194 + 1i);
                 }
             }
         }
         continuing {
-            let _e173 = j_4;
-            j_4 = (_e173 + 1i);
+            let _e179 = j_4;
+            j_4 = (_e179 + 1i);
         }
     }
-    let _e349 = sum_14;
-    let _e350 = amplitude_3;
-    let _e351 = stretch_5;
-    gabor_impl_add_field((&field_9), _e349, _e350, _e351);
-    let _e353 = field_9;
-    return _e353;
+    let _e355 = sum_14;
+    let _e356 = amplitude_3;
+    let _e357 = stretch_5;
+    gabor_impl_add_field((&field_9), _e355, _e356, _e357);
+    let _e359 = field_9;
+    return _e359;
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 440cf2a4724fec2b.
+// naga 30.0.1 made it from GLSL with the digest 87dd81270e5b1e0b.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //

@@ -203,6 +203,15 @@ GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0, 2.0e5);
 }
 
+// The whole part of x >= 0. For it, C++ compilers have no fast floor.
+float gabor_impl_whole(float x) {
+#ifdef __cplusplus
+    return float(int(x));
+#else
+    return floor(x);
+#endif
+}
+
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
 // `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
@@ -213,16 +222,18 @@ void gabor_impl_add_water(inout GaborWater sum, inout float2 tilt, inout float3 
     bits ^= bits >> 15u;
     float share = 0.00390625 * float(bits >> 22u); // of 4
     float4 below = band.quarter * clamp(share - float4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
-    float rise = floor(1024.0 + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
+    float rise = gabor_impl_whole(1024.0 + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
     float u = 2.0 * float((bits >> 11u) & 2047u) - 2047.0, v = 2.0 * float(bits & 2047u) - 2047.0;
-    float angle = u * (band.spread.x + floor(4.8828125e-4 * band.spread.y * floor(4.8828125e-4 * u * u))) + v * band.spread.z;
-    angle = floor(1.2207031e-4 * angle) * (band.widen.x + band.widen.y * (rise - 1236.0));
+    float bent = gabor_impl_whole(band.spread.x + 4.8828125e-4 * band.spread.y * gabor_impl_whole(4.8828125e-4 * u * u));
+    float side = u * bent + v * band.spread.z;
     // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
     // is 861 / 2048, nearly 2^(-5/4), of `carried`.
-    float part = floor(1.2207031e-4 * abs(angle)), lag = floor(4.8828125e-4 * part * part);
-    float carried = floor(4.8828125e-4 * floor(9.765625e-4 * square) * (2048.0 - 2.0 * lag));
-    float turning = floor(floor(0.0078125 * (2048.0 * rise - 861.0 * carried)) * (6.103515625e-5 * band.low));
-    float k = wave * square, around = 6.2831853 * k, chord = 1.1920929e-7 * angle;
+    float angle = gabor_impl_whole(1.2207031e-4 * abs(side)) * (band.widen.x + band.widen.y * (rise - 1236.0));
+    float part = gabor_impl_whole(1.2207031e-4 * angle), lag = gabor_impl_whole(4.8828125e-4 * part * part);
+    float steep = gabor_impl_whole(9.765625e-4 * square), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
+    float turning = gabor_impl_whole(0.0078125 * (2048.0 * rise - 861.0 * carried));
+    turning = gabor_impl_whole(turning * (6.103515625e-5 * band.low));
+    float k = wave * square, around = 6.2831853 * k, chord = (side < 0.0 ? -1.1920929e-7 : 1.1920929e-7) * angle;
     float2 unit = float2(1.0 - 0.5 * chord * chord, chord * sqrt(1.0 - 0.25 * chord * chord));
     float turns = float(((uint(turning) & 0xffffu) * (uint(second) & 0xffffu)) & 0xffffu) + turning * fraction;
     float2 uniforms = float2(float(int(word)), float(int(word << 12u)));

@@ -181,6 +181,15 @@ GABOR_INLINE GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0f, 2.0e5f);
 }
 
+// The whole part of x >= 0. For it, C++ compilers have no fast floor.
+GABOR_INLINE float gabor_impl_whole(float x) {
+#ifdef __cplusplus
+    return float(int(x));
+#else
+    return gabor_cpp_floor(x);
+#endif
+}
+
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
 // `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
@@ -191,16 +200,18 @@ GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec2& tilt, gabor_
     bits ^= bits >> 15u;
     float share = 0.00390625f * float(bits >> 22u); // of 4
     gabor_vec4 below = band.quarter * gabor_cpp_clamp(share - gabor_vec4(0.0f, 1.0f, 2.0f, 3.0f), 0.0f, 1.0f);
-    float rise = gabor_cpp_floor(1024.0f + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
+    float rise = gabor_impl_whole(1024.0f + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
     float u = 2.0f * float((bits >> 11u) & 2047u) - 2047.0f, v = 2.0f * float(bits & 2047u) - 2047.0f;
-    float angle = u * (band.spread.x + gabor_cpp_floor(4.8828125e-4f * band.spread.y * gabor_cpp_floor(4.8828125e-4f * u * u))) + v * band.spread.z;
-    angle = gabor_cpp_floor(1.2207031e-4f * angle) * (band.widen.x + band.widen.y * (rise - 1236.0f));
+    float bent = gabor_impl_whole(band.spread.x + 4.8828125e-4f * band.spread.y * gabor_impl_whole(4.8828125e-4f * u * u));
+    float side = u * bent + v * band.spread.z;
     // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
     // is 861 / 2048, nearly 2^(-5/4), of `carried`.
-    float part = gabor_cpp_floor(1.2207031e-4f * gabor_cpp_abs(angle)), lag = gabor_cpp_floor(4.8828125e-4f * part * part);
-    float carried = gabor_cpp_floor(4.8828125e-4f * gabor_cpp_floor(9.765625e-4f * square) * (2048.0f - 2.0f * lag));
-    float turning = gabor_cpp_floor(gabor_cpp_floor(0.0078125f * (2048.0f * rise - 861.0f * carried)) * (6.103515625e-5f * band.low));
-    float k = wave * square, around = 6.2831853f * k, chord = 1.1920929e-7f * angle;
+    float angle = gabor_impl_whole(1.2207031e-4f * gabor_cpp_abs(side)) * (band.widen.x + band.widen.y * (rise - 1236.0f));
+    float part = gabor_impl_whole(1.2207031e-4f * angle), lag = gabor_impl_whole(4.8828125e-4f * part * part);
+    float steep = gabor_impl_whole(9.765625e-4f * square), carried = steep - gabor_impl_whole(9.765625e-4f * steep * lag);
+    float turning = gabor_impl_whole(0.0078125f * (2048.0f * rise - 861.0f * carried));
+    turning = gabor_impl_whole(turning * (6.103515625e-5f * band.low));
+    float k = wave * square, around = 6.2831853f * k, chord = (side < 0.0f ? -1.1920929e-7f : 1.1920929e-7f) * angle;
     gabor_vec2 unit = gabor_vec2(1.0f - 0.5f * chord * chord, chord * gabor_cpp_sqrt(1.0f - 0.25f * chord * chord));
     float turns = float(((std::uint32_t(turning) & 0xffffu) * (std::uint32_t(second) & 0xffffu)) & 0xffffu) + turning * fraction;
     gabor_vec2 uniforms = gabor_vec2(float(int(word)), float(int(word << 12u)));

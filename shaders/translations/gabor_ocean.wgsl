@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 44e0a8997d16864c.
+// naga 30.0.1 made it from GLSL with the digest 83ca287074daa3a0.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -513,6 +513,11 @@ fn gabor_ocean(wind: f32) -> GaborOcean {
     return _e3;
 }
 
+// The whole part of x >= 0. For it, C++ compilers have no fast floor.
+fn gabor_impl_whole(x: f32) -> f32 {
+    return floor(x);
+}
+
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
 // `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
@@ -525,13 +530,17 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     var square: f32;
     var u_1: f32;
     var v: f32;
+    var bent: f32;
+    var side_1: f32;
     var angle: f32;
     var part_1: f32;
     var lag: f32;
+    var steep: f32;
     var carried: f32;
     var turning: f32;
     var k: f32;
     var around: f32;
+    var local_21: f32;
     var chord: f32;
     var unit: vec2<f32>;
     var turns: f32;
@@ -556,7 +565,8 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     let _e51 = below_1;
     let _e54 = below_1;
     let _e57 = below_1;
-    rise = floor(((((1024f + _e48.x) + _e51.y) + _e54.z) + _e57.w));
+    let _e60 = gabor_impl_whole(((((1024f + _e48.x) + _e51.y) + _e54.z) + _e57.w));
+    rise = _e60;
     let _e62 = rise;
     let _e63 = rise;
     square = (_e62 * _e63);
@@ -564,103 +574,126 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     u_1 = ((2f * f32(((_e67 >> 11u) & 2047u))) - 2047f);
     let _e78 = bits;
     v = ((2f * f32((_e78 & 2047u))) - 2047f);
-    let _e86 = u_1;
-    let _e94 = u_1;
-    let _e96 = u_1;
-    let _e103 = v;
-    angle = ((_e86 * (band.spread.x + floor(((0.00048828125f * band.spread.y) * floor(((0.00048828125f * _e94) * _e96)))))) + (_e103 * band.spread.z));
-    let _e110 = angle;
-    let _e117 = rise;
-    angle = (floor((0.00012207031f * _e110)) * (band.widen.x + (band.widen.y * (_e117 - 1236f))));
-    let _e124 = angle;
-    part_1 = floor((0.00012207031f * abs(_e124)));
-    let _e130 = part_1;
-    let _e132 = part_1;
-    lag = floor(((0.00048828125f * _e130) * _e132));
-    let _e138 = square;
-    let _e144 = lag;
-    carried = floor(((0.00048828125f * floor((0.0009765625f * _e138))) * (2048f - (2f * _e144))));
-    let _e152 = rise;
-    let _e155 = carried;
-    turning = floor((floor((0.0078125f * ((2048f * _e152) - (861f * _e155)))) * (0.000061035156f * band.low)));
-    let _e166 = square;
-    k = (wave * _e166);
-    let _e170 = k;
-    around = (6.2831855f * _e170);
-    let _e174 = angle;
-    chord = (0.00000011920929f * _e174);
-    let _e179 = chord;
-    let _e181 = chord;
-    let _e184 = chord;
-    let _e187 = chord;
-    let _e189 = chord;
-    unit = vec2<f32>((1f - ((0.5f * _e179) * _e181)), (_e184 * sqrt((1f - ((0.25f * _e187) * _e189)))));
-    let _e196 = turning;
+    let _e93 = u_1;
+    let _e95 = u_1;
+    let _e97 = gabor_impl_whole(((0.00048828125f * _e93) * _e95));
+    let _e100 = gabor_impl_whole((band.spread.x + ((0.00048828125f * band.spread.y) * _e97)));
+    bent = _e100;
+    let _e102 = u_1;
+    let _e103 = bent;
+    let _e105 = v;
+    side_1 = ((_e102 * _e103) + (_e105 * band.spread.z));
+    let _e112 = side_1;
+    let _e115 = gabor_impl_whole((0.00012207031f * abs(_e112)));
+    let _e120 = rise;
+    angle = (_e115 * (band.widen.x + (band.widen.y * (_e120 - 1236f))));
+    let _e128 = angle;
+    let _e130 = gabor_impl_whole((0.00012207031f * _e128));
+    part_1 = _e130;
+    let _e133 = part_1;
+    let _e135 = part_1;
+    let _e137 = gabor_impl_whole(((0.00048828125f * _e133) * _e135));
+    lag = _e137;
+    let _e140 = square;
+    let _e142 = gabor_impl_whole((0.0009765625f * _e140));
+    steep = _e142;
+    let _e144 = steep;
+    let _e146 = steep;
+    let _e148 = lag;
+    let _e150 = gabor_impl_whole(((0.0009765625f * _e146) * _e148));
+    carried = (_e144 - _e150);
+    let _e155 = rise;
+    let _e158 = carried;
+    let _e162 = gabor_impl_whole((0.0078125f * ((2048f * _e155) - (861f * _e158))));
+    turning = _e162;
+    let _e164 = turning;
+    let _e169 = gabor_impl_whole((_e164 * (0.000061035156f * band.low)));
+    turning = _e169;
+    let _e170 = square;
+    k = (wave * _e170);
+    let _e174 = k;
+    around = (6.2831855f * _e174);
+    let _e177 = side_1;
+    if (_e177 < 0f) {
+        local_21 = -0.00000011920929f;
+    } else {
+        local_21 = 0.00000011920929f;
+    }
+    let _e184 = local_21;
+    let _e185 = angle;
+    chord = (_e184 * _e185);
+    let _e190 = chord;
+    let _e192 = chord;
+    let _e195 = chord;
+    let _e198 = chord;
+    let _e200 = chord;
+    unit = vec2<f32>((1f - ((0.5f * _e190) * _e192)), (_e195 * sqrt((1f - ((0.25f * _e198) * _e200)))));
     let _e207 = turning;
-    turns = (f32((((u32(_e196) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e207 * fraction));
+    let _e218 = turning;
+    turns = (f32((((u32(_e207) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e218 * fraction));
     uniforms = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
-    let _e219 = uniforms;
-    let _e221 = uniforms;
     let _e230 = uniforms;
-    let _e231 = uniforms;
-    amplitude_2 = ((_e219 - (shape.x * clamp(_e221, vec2(-2011925800f), vec2(2011925800f)))) * ((_e230 * _e231) + vec2(shape.y)));
-    let _e238 = amplitude_2;
-    let _e239 = k;
-    let _e240 = unit;
-    let _e244 = turns;
-    let _e247 = gabor_impl_wave(((_e239 * dot(_e240, from_)) - (0.000015258789f * _e244)));
-    let _e248 = gabor_impl_product(_e238, _e247);
-    z_1 = _e248;
-    let _e250 = around;
+    let _e232 = uniforms;
+    let _e241 = uniforms;
+    let _e242 = uniforms;
+    amplitude_2 = ((_e230 - (shape.x * clamp(_e232, vec2(-2011925800f), vec2(2011925800f)))) * ((_e241 * _e242) + vec2(shape.y)));
+    let _e249 = amplitude_2;
+    let _e250 = k;
     let _e251 = unit;
-    let _e253 = unit;
-    steps = (_e250 * vec2<f32>(dot(_e251, dx), dot(_e253, dy)));
-    let _e260 = steps;
-    let _e261 = steps;
-    kept = exp((-0.125f * dot(_e260, _e261)));
-    let _e266 = z_1;
-    let _e267 = kept;
-    z_1 = (_e266 * _e267);
-    let _e269 = (*tilt);
-    let _e270 = z_1;
-    (*tilt) = (_e269 + (_e270.y * window.yz));
-    let _e275 = z_1;
-    z_1 = (_e275 * window.x);
-    let _e278 = z_1;
-    let _e280 = unit;
-    along_1 = (_e278.x * _e280);
-    let _e283 = around;
-    let _e284 = z_1;
-    squeezing = (_e283 * _e284.y);
-    let _e291 = around;
-    power_2 = ((shape.z * window.x) * _e291);
-    let _e294 = power_2;
-    let _e295 = power_2;
-    let _e298 = kept;
-    let _e299 = kept;
-    lost = ((_e294 * _e295) * (1f - (_e298 * _e299)));
-    let _e305 = (*sum);
-    let _e307 = z_1;
-    (*sum).height = (_e305.height + _e307.y);
-    let _e311 = (*sum);
-    let _e313 = around;
-    let _e314 = along_1;
-    (*sum).slope = (_e311.slope + (_e313 * _e314));
-    let _e318 = (*sum);
-    let _e320 = along_1;
-    (*sum).shift = (_e318.shift + _e320);
-    let _e322 = (*squeeze);
-    let _e323 = squeezing;
-    let _e324 = unit;
-    let _e326 = unit;
-    let _e327 = (_e324.x * _e326);
-    (*squeeze) = (_e322 + (_e323 * vec3<f32>(_e327.x, _e327.y, 1f)));
-    let _e335 = (*sum);
-    let _e337 = lost;
-    let _e338 = unit;
-    let _e340 = unit;
-    let _e341 = (_e338.x * _e340);
-    (*sum).lost = (_e335.lost + (_e337 * vec3<f32>(_e341.x, _e341.y, 1f)));
+    let _e255 = turns;
+    let _e258 = gabor_impl_wave(((_e250 * dot(_e251, from_)) - (0.000015258789f * _e255)));
+    let _e259 = gabor_impl_product(_e249, _e258);
+    z_1 = _e259;
+    let _e261 = around;
+    let _e262 = unit;
+    let _e264 = unit;
+    steps = (_e261 * vec2<f32>(dot(_e262, dx), dot(_e264, dy)));
+    let _e271 = steps;
+    let _e272 = steps;
+    kept = exp((-0.125f * dot(_e271, _e272)));
+    let _e277 = z_1;
+    let _e278 = kept;
+    z_1 = (_e277 * _e278);
+    let _e280 = (*tilt);
+    let _e281 = z_1;
+    (*tilt) = (_e280 + (_e281.y * window.yz));
+    let _e286 = z_1;
+    z_1 = (_e286 * window.x);
+    let _e289 = z_1;
+    let _e291 = unit;
+    along_1 = (_e289.x * _e291);
+    let _e294 = around;
+    let _e295 = z_1;
+    squeezing = (_e294 * _e295.y);
+    let _e302 = around;
+    power_2 = ((shape.z * window.x) * _e302);
+    let _e305 = power_2;
+    let _e306 = power_2;
+    let _e309 = kept;
+    let _e310 = kept;
+    lost = ((_e305 * _e306) * (1f - (_e309 * _e310)));
+    let _e316 = (*sum);
+    let _e318 = z_1;
+    (*sum).height = (_e316.height + _e318.y);
+    let _e322 = (*sum);
+    let _e324 = around;
+    let _e325 = along_1;
+    (*sum).slope = (_e322.slope + (_e324 * _e325));
+    let _e329 = (*sum);
+    let _e331 = along_1;
+    (*sum).shift = (_e329.shift + _e331);
+    let _e333 = (*squeeze);
+    let _e334 = squeezing;
+    let _e335 = unit;
+    let _e337 = unit;
+    let _e338 = (_e335.x * _e337);
+    (*squeeze) = (_e333 + (_e334 * vec3<f32>(_e338.x, _e338.y, 1f)));
+    let _e346 = (*sum);
+    let _e348 = lost;
+    let _e349 = unit;
+    let _e351 = unit;
+    let _e352 = (_e349.x * _e351);
+    (*sum).lost = (_e346.lost + (_e348 * vec3<f32>(_e352.x, _e352.y, 1f)));
     return;
 }
 
@@ -747,23 +780,23 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var rest_x: f32;
     var rest_y: f32;
     var rest_3: vec2<f32>;
-    var local_23: f32;
+    var local_24: f32;
     var inset: f32;
     var spacing: f32;
-    var local_24: f32;
     var local_25: f32;
+    var local_26: f32;
     var energy: f32;
     var first_2: vec2<f32>;
     var offset: vec2<f32>;
     var node: vec2<i32>;
-    var x_7: vec4<f32>;
+    var x_8: vec4<f32>;
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var local_26: vec3<f32>;
+    var local_27: vec3<f32>;
     var shape_1: vec3<f32>;
     var f_2: f32;
-    var local_27: f32;
+    var local_28: f32;
     var wave_6: f32;
     var left: u32;
     var middle_1: u32;
@@ -772,10 +805,10 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var from_1: vec2<f32>;
     var down_1: vec2<f32>;
     var j_2: i32;
-    var local_28: i32;
+    var local_29: i32;
     var row_1: u32;
-    var local_29: vec2<f32>;
     var local_30: vec2<f32>;
+    var local_31: vec2<f32>;
     var w: vec2<f32>;
     var mean: f32;
     var parts: vec2<f32>;
@@ -856,27 +889,27 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             rest_3 = (vec2<f32>(_e164, _e165) + (0.000015258789f * vec2<f32>(f32((_e168 & 65535u)), f32((_e172 >> 16u)))));
             let _e180 = three_1;
             if _e180 {
-                local_23 = 0.5f;
+                local_24 = 0.5f;
             } else {
-                local_23 = 0f;
+                local_24 = 0f;
             }
-            let _e184 = local_23;
+            let _e184 = local_24;
             inset = _e184;
             let _e186 = band_2;
             spacing = exp2(f32(_e186.exponent));
             let _e191 = three_1;
             if _e191 {
                 if false {
-                    local_24 = 1f;
+                    local_25 = 1f;
                 } else {
-                    local_24 = 1.125f;
+                    local_25 = 1.125f;
                 }
-                let _e201 = local_24;
-                local_25 = _e201;
+                let _e201 = local_25;
+                local_26 = _e201;
             } else {
-                local_25 = 1f;
+                local_26 = 1f;
             }
-            let _e204 = local_25;
+            let _e204 = local_26;
             energy = _e204;
             let _e206 = rest_3;
             let _e207 = inset;
@@ -892,23 +925,23 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             node = (vec2<i32>(_e227, _e228) + vec2<i32>(_e230));
             let _e238 = three_1;
             let _e239 = offset;
-            gabor_impl_water_windows(_e238, _e239.x, (&x_7), (&slope_x));
+            gabor_impl_water_windows(_e238, _e239.x, (&x_8), (&slope_x));
             let _e245 = three_1;
             let _e246 = offset;
             gabor_impl_water_windows(_e245, _e246.y, (&y_4), (&slope_y));
             let _e252 = three_1;
             if _e252 {
-                local_26 = vec3<f32>(0.89289314f, 7397391600000000000f, 1459955300000000000000000000f);
+                local_27 = vec3<f32>(0.89289314f, 7397391600000000000f, 1459955300000000000000000000f);
             } else {
-                local_26 = vec3<f32>(0f, 1000000000000000000000f, 1243281800000000000000000000000f);
+                local_27 = vec3<f32>(0f, 1000000000000000000000f, 1243281800000000000000000000000f);
             }
-            let _e262 = local_26;
+            let _e262 = local_27;
             shape_1 = _e262;
-            let _e264 = x_7;
+            let _e264 = x_8;
             let _e265 = band_2;
             let _e267 = energy;
             let _e268 = shape_1;
-            x_7 = (_e264 * (_e265.amplitude / (_e267 * _e268.z)));
+            x_8 = (_e264 * (_e265.amplitude / (_e267 * _e268.z)));
             let _e273 = slope_x;
             let _e274 = band_2;
             let _e276 = energy;
@@ -922,11 +955,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             f_2 = (0.000000014901161f * _e289.low);
             let _e293 = three_1;
             if _e293 {
-                local_27 = 0.6383f;
+                local_28 = 0.6383f;
             } else {
-                local_27 = 0.6354f;
+                local_28 = 0.6354f;
             }
-            let _e297 = local_27;
+            let _e297 = local_28;
             let _e298 = f_2;
             let _e300 = f_2;
             wave_6 = ((_e297 * _e298) * _e300);
@@ -958,11 +991,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
                 let _e339 = j_2;
                 let _e340 = three_1;
                 if _e340 {
-                    local_28 = 3i;
+                    local_29 = 3i;
                 } else {
-                    local_28 = 2i;
+                    local_29 = 2i;
                 }
-                let _e344 = local_28;
+                let _e344 = local_29;
                 if !((_e339 < _e344)) {
                     break;
                 }
@@ -976,31 +1009,31 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
                     if (_e359 == 0i) {
                         let _e362 = y_4;
                         let _e364 = slope_y;
-                        local_30 = vec2<f32>(_e362.x, _e364.x);
+                        local_31 = vec2<f32>(_e362.x, _e364.x);
                     } else {
                         let _e367 = j_2;
                         if (_e367 == 1i) {
                             let _e370 = y_4;
                             let _e372 = slope_y;
-                            local_29 = vec2<f32>(_e370.y, _e372.y);
+                            local_30 = vec2<f32>(_e370.y, _e372.y);
                         } else {
                             let _e375 = y_4;
                             let _e377 = slope_y;
-                            local_29 = vec2<f32>(_e375.z, _e377.z);
+                            local_30 = vec2<f32>(_e375.z, _e377.z);
                         }
-                        let _e381 = local_29;
-                        local_30 = _e381;
+                        let _e381 = local_30;
+                        local_31 = _e381;
                     }
-                    let _e383 = local_30;
+                    let _e383 = local_31;
                     w = _e383;
                     let _e388 = row_1;
                     let _e389 = left;
                     let _e391 = from_1;
-                    let _e392 = x_7;
+                    let _e392 = x_8;
                     let _e394 = w;
                     let _e397 = slope_x;
                     let _e399 = w;
-                    let _e402 = x_7;
+                    let _e402 = x_8;
                     let _e404 = w;
                     let _e408 = band_2;
                     let _e409 = wave_6;
@@ -1012,11 +1045,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
                     let _e420 = middle_1;
                     let _e422 = from_1;
                     let _e423 = across;
-                    let _e425 = x_7;
+                    let _e425 = x_8;
                     let _e427 = w;
                     let _e430 = slope_x;
                     let _e432 = w;
-                    let _e435 = x_7;
+                    let _e435 = x_8;
                     let _e437 = w;
                     let _e441 = band_2;
                     let _e442 = wave_6;
@@ -1030,11 +1063,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
                         let _e454 = right;
                         let _e456 = from_1;
                         let _e458 = across;
-                        let _e461 = x_7;
+                        let _e461 = x_8;
                         let _e463 = w;
                         let _e466 = slope_x;
                         let _e468 = w;
-                        let _e471 = x_7;
+                        let _e471 = x_8;
                         let _e473 = w;
                         let _e477 = band_2;
                         let _e478 = wave_6;

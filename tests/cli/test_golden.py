@@ -1,8 +1,8 @@
 """Checks the pixels of this version: for each recipe, 8 x 8 pixels in the first and last corners of the largest picture, drawn
 in blocks and pixel by pixel, and small pictures of other kinds with all channels. On lavapipe from Mesa 22.3 (Debian 12),
 their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance in
-render/request.hpp, or, for terrain, materials and bodies, within 6e-4: a pixel's six colours may be off by the 1e-4 of
-test_material.cpp. Changing pixels requires a new version. After an intended
+render/request.hpp, or, for terrain, materials and bodies, within 1.5e-3: a pixel's six colours may be off by the 1e-4 of
+test_material.cpp, and light on metal by five times that. Changing pixels requires a new version. After an intended
 change, regenerate the file with this command and review the diff:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
@@ -37,7 +37,7 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
             "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60"]
-TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 6e-4}
+TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 1.5e-3}
 
 
 class Golden(ProgramTest):
