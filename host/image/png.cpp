@@ -69,6 +69,7 @@ class PngPicture : public PictureReader {
         Format format;
         guarded([&] {
             png_set_user_limits(png, widest_png, widest_png);
+            png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT); // a damaged tRNS changes pixels
             png_init_io(png, file_.get());
             png_read_info(png, info);
             format.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
