@@ -1,4 +1,4 @@
-#include "image/picture.hpp"
+#include "image/metadata.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,8 @@ namespace gabor::image {
 
 namespace {
 
+using namespace std::string_view_literals;
+
 class JpegPicture : public PictureReader {
   public:
     JpegPicture(const std::filesystem::path& path, File file) : path_(path), file_(std::move(file)) {
@@ -21,6 +23,8 @@ class JpegPicture : public PictureReader {
         guarded([this] {
             jpeg_create_decompress(&jpeg_);
             jpeg_stdio_src(&jpeg_, file_.get());
+            jpeg_save_markers(&jpeg_, JPEG_APP0 + 1, 0xffff);
+            jpeg_save_markers(&jpeg_, JPEG_APP0 + 2, 0xffff);
             jpeg_read_header(&jpeg_, TRUE);
         });
         const int colours = jpeg_.num_components;
@@ -29,8 +33,19 @@ class JpegPicture : public PictureReader {
                                               colours, colours == 4 ? ", CMYK" : ""));
         jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
         guarded([this] { jpeg_start_decompress(&jpeg_); });
-        set_format(
-            {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false});
+        Format format{static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours};
+        std::vector<std::uint8_t> icc; // may be in several parts
+        for (auto marker = jpeg_.marker_list; marker; marker = marker->next) {
+            const std::span<const std::uint8_t> data(marker->data, marker->data_length);
+            const std::string_view text(reinterpret_cast<const char*>(marker->data), marker->data_length);
+            if (text.starts_with("Exif\0\0"sv))
+                format.orientation = exif_orientation(data.subspan(6));
+            if (text.starts_with("ICC_PROFILE\0"sv) && data.size() > 14)
+                icc.insert(icc.end(), data.begin() + 14, data.end());
+        }
+        if (!icc.empty())
+            format.profile = foreign_profile(icc);
+        set_format(format);
         bytes_.resize(std::size_t{jpeg_.output_width} * static_cast<std::size_t>(colours));
     }
 

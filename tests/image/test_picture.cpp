@@ -6,11 +6,15 @@
 #include <catch2/catch.hpp>
 
 #include <sys/resource.h>
+#include <zlib.h>
 
+#include <array>
+#include <cstring>
 #include <optional>
 
 using gabor::image::PictureReader;
 using namespace std::string_literals;
+using namespace std::string_view_literals;
 namespace fs = std::filesystem;
 
 namespace {
@@ -54,12 +58,36 @@ std::optional<Pixels> read(const fs::path& path) {
 
 const fs::path corpus = GABOR_CORPUS_FOLDER;
 
+fs::path example(const char* name) {
+    return corpus / "picture" / name;
+}
+
 /// A small file of each kind.
 std::vector<fs::path> examples() {
     std::vector<fs::path> paths{corpus / "exr/zip.exr"};
     for (const auto& entry : fs::directory_iterator(corpus / "picture"))
         paths.push_back(entry.path());
     return paths;
+}
+
+/// Corrects the checksum of a PNG's chunk, which is shorter than 256 bytes.
+void correct_checksum(std::string& png, std::string_view chunk) {
+    const std::size_t at = png.find(chunk), size = 4 + static_cast<unsigned char>(png.at(at - 1));
+    const auto sum = ::crc32(0, reinterpret_cast<const Bytef*>(&png[at]), static_cast<uInt>(size));
+    for (std::size_t i = 0; i < 4; ++i)
+        png.at(at + size + i) = static_cast<char>(sum >> (24 - 8 * i));
+}
+
+/// Changes the orientation in EXIF data: those of a JPEG here begin with the low byte, those of a PNG with
+/// the high one.
+std::string with_orientation(std::string bytes, char orientation) {
+    if (const auto tag = bytes.find("\x12\1\3\0\1\0\0\0"s); tag != bytes.npos) {
+        bytes[tag + 8] = orientation;
+        return bytes;
+    }
+    bytes.at(bytes.find("\1\x12\0\3\0\0\0\1"s) + 9) = orientation;
+    correct_checksum(bytes, "eXIf");
+    return bytes;
 }
 
 } // namespace
@@ -100,7 +128,7 @@ TEST_CASE("A flipped bit does no harm, and is refused where a file has checksums
     }
 }
 
-TEST_CASE("A few bytes cannot claim a huge TGA", "[picture]") {
+TEST_CASE("A few bytes cannot claim a huge picture", "[picture]") {
     const ScratchFolder folder;
     rusage before{};
     ::getrusage(RUSAGE_SELF, &before);
@@ -108,7 +136,66 @@ TEST_CASE("A few bytes cannot claim a huge TGA", "[picture]") {
         write_file(folder / "huge.tga", "\0\0"s + kind + "\0\0\0\0\0\0\0\0\0\0\x40\0\x40\x20\0"s);
         CHECK(!read(folder / "huge.tga"));
     }
+    std::string turned = read_file(example("alpha.png"));
+    turned.replace(turned.find("IHDR") + 4, 8, "\0\1\0\0\0\1\0\0"s);
+    correct_checksum(turned, "IHDR");
+    write_file(folder / "turned.png", turned);
+    CHECK_THROWS_WITH(gabor::image::open_picture(folder / "turned.png"),
+                      Catch::Matchers::Contains("more than 1024 MiB"));
     rusage after{};
     ::getrusage(RUSAGE_SELF, &after);
     CHECK(after.ru_maxrss - before.ru_maxrss < 64 * 1024); // KiB
+}
+
+TEST_CASE("A picture is turned and mirrored as its EXIF data demand", "[picture]") {
+    const ScratchFolder folder;
+    const char* const name = GENERATE("colour.jpg", "alpha.png");
+    const std::string bytes = read_file(example(name));
+    const auto turned = [&](char orientation) {
+        write_file(folder / "turned", with_orientation(bytes, orientation));
+        return read(folder / "turned").value();
+    };
+    const Pixels stored = turned(1);
+    CHECK(turned(0) == stored);
+    CHECK(turned(9) == stored);
+    // From the EXIF standard: the sides where the first stored row and column are seen.
+    constexpr std::array sides{"top left", "top right", "bottom right", "bottom left",
+                               "left top", "right top", "right bottom", "left bottom"};
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        INFO(name << ", " << sides[i]);
+        const Pixels seen = turned(static_cast<char>(i + 1));
+        REQUIRE(seen.width == (i < 4 ? stored.width : stored.height));
+        REQUIRE(seen.values.size() == stored.values.size());
+        const std::string row_side(sides[i], std::strcspn(sides[i], " "));
+        const std::string column_side = sides[i] + row_side.size() + 1;
+        bool same = true;
+        for (int row = 0; row < stored.height; ++row)
+            for (int column = 0; column < stored.width; ++column) {
+                int x = 0;
+                int y = 0;
+                for (const auto& [side, distance] : {std::pair(row_side, row), {column_side, column}}) {
+                    if (side == "left" || side == "right")
+                        x = side == "left" ? distance : seen.width - 1 - distance;
+                    else
+                        y = side == "top" ? distance : seen.height - 1 - distance;
+                }
+                same &= seen.at(x, y) == stored.at(column, row);
+            }
+        CHECK(same);
+    }
+}
+
+TEST_CASE("An ICC profile is named unless its colours are those of sRGB", "[picture]") {
+    const ScratchFolder folder;
+    const std::string bytes = read_file(example("profile.jpg"));
+    const auto profile = [&](std::string_view from, std::string_view to) {
+        std::string changed = bytes;
+        REQUIRE(changed.find(from) != changed.npos);
+        write_file(folder / "profile", changed.replace(changed.find(from), from.size(), to));
+        return gabor::image::open_picture(folder / "profile")->format().profile;
+    };
+    CHECK(profile("", "").empty());
+    CHECK(gabor::image::open_picture(example("profile.png"))->format().profile.empty());
+    CHECK(profile("\x6f\xa0"sv, "\x9c\x18"sv) == "sRGB built-in");     // Adobe RGB's red
+    CHECK(profile("\0\2\x66\x66"sv, "\0\1\0\0"sv) == "sRGB built-in"); // a gamma of 1 in place of 2.4
 }
