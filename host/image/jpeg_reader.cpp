@@ -8,6 +8,8 @@
 
 #include <jpeglib.h> // must follow <cstdio>
 
+#include <jerror.h>
+
 namespace gabor::image {
 
 namespace {
@@ -79,7 +81,9 @@ class JpegPicture : public PictureReader {
     }
     static void on_error(j_common_ptr jpeg) { std::longjmp(static_cast<Errors*>(jpeg->err)->jump, 1); }
     static void on_message(j_common_ptr jpeg, int level) {
-        if (level < 0) // a warning: the data is damaged
+        // A warning: the data is damaged, unless these are superfluous bytes before the first scan.
+        if (level < 0 && (jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA ||
+                          reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > 0))
             on_error(jpeg);
     }
 

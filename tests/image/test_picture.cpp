@@ -185,6 +185,18 @@ TEST_CASE("A picture is turned and mirrored as its EXIF data demand", "[picture]
     }
 }
 
+TEST_CASE("Superfluous bytes before a JPEG's first scan are skipped, later ones are damage", "[picture]") {
+    const ScratchFolder folder;
+    const fs::path path = example("progressive.jpg");
+    const std::string bytes = read_file(path);
+    const auto with_bytes_before = [&](std::string_view marker) {
+        write_file(folder / "longer", std::string(bytes).insert(bytes.rfind(marker), "\1\2\3"));
+        return read(folder / "longer");
+    };
+    CHECK(with_bytes_before("\xff\xc2") == read(path)); // the frame
+    CHECK(!with_bytes_before("\xff\xda"));              // the last scan
+}
+
 TEST_CASE("An ICC profile is named unless its colours are those of sRGB", "[picture]") {
     const ScratchFolder folder;
     const std::string bytes = read_file(example("profile.jpg"));
