@@ -185,16 +185,16 @@ TEST_CASE("A picture is turned and mirrored as its EXIF data demand", "[picture]
     }
 }
 
-TEST_CASE("Superfluous bytes before a JPEG's first scan are skipped, later ones are damage", "[picture]") {
+TEST_CASE("Superfluous bytes before and after a JPEG's scans are skipped, others are damage", "[picture]") {
     const ScratchFolder folder;
-    const fs::path path = example("progressive.jpg");
-    const std::string bytes = read_file(path);
-    const auto with_bytes_before = [&](std::string_view marker) {
+    const auto with_bytes_before = [&](std::string_view marker, const char* name) {
+        const std::string bytes = read_file(example(name));
         write_file(folder / "longer", std::string(bytes).insert(bytes.rfind(marker), "\1\2\3"));
         return read(folder / "longer");
     };
-    CHECK(with_bytes_before("\xff\xc2") == read(path)); // the frame
-    CHECK(!with_bytes_before("\xff\xda"));              // the last scan
+    CHECK(with_bytes_before("\xff\xc2", "progressive.jpg") == read(example("progressive.jpg"))); // the frame
+    CHECK(with_bytes_before("\xff\xd9", "colour.jpg") == read(example("colour.jpg")));           // the end
+    CHECK(!with_bytes_before("\xff\xda", "progressive.jpg")); // the last scan
 }
 
 TEST_CASE("An ICC profile is named unless its colours are those of sRGB", "[picture]") {
