@@ -147,6 +147,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
     exemplar.width = format.width;
     exemplar.height = format.height;
     exemplar.channels = grey ? 1 : 3;
+    exemplar.profile = format.profile;
     exemplar.linear = format.linear;
     exemplar.transparent = static_cast<double>(rows.transparent()) / pixels;
     exemplar.fireflies = static_cast<double>(rows.fireflies()) / pixels;

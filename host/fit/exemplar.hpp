@@ -42,6 +42,7 @@ struct Exemplar {
     int width = 0;
     int height = 0;
     int channels = 0;       ///< 1 if red, green and blue are equal everywhere
+    std::string profile;    ///< name of the ICC profile, unless its colours are sRGB's
     bool linear = false;    ///< whether values are linear light, as in OpenEXR, instead of sRGB
     double transparent = 0; ///< share of the pixels left out because they are more transparent than opaque
     double fireflies = 0;   ///< share of the pixels left out because they are far brighter than all others

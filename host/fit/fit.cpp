@@ -209,6 +209,10 @@ render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) 
 std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& fitted) {
     std::vector<std::string> lines;
     const FitError& error = fitted.error;
+    if (!exemplar.profile.empty())
+        lines.push_back(fmt::format("The photograph's colours are read as sRGB, but its ICC profile is '{}': "
+                                    "convert it to sRGB.",
+                                    exemplar.profile));
     if (exemplar.transparent > 0)
         lines.push_back(fmt::format("Left out {:.3g} % of the pixels: they are transparent.",
                                     100 * exemplar.transparent));

@@ -1,4 +1,4 @@
-#include "image/picture.hpp"
+#include "image/metadata.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,13 @@
 
 #include <jpeglib.h> // must follow <cstdio>
 
+#include <jerror.h>
+
 namespace gabor::image {
 
 namespace {
+
+using namespace std::string_view_literals;
 
 class JpegPicture : public PictureReader {
   public:
@@ -21,6 +25,8 @@ class JpegPicture : public PictureReader {
         guarded([this] {
             jpeg_create_decompress(&jpeg_);
             jpeg_stdio_src(&jpeg_, file_.get());
+            jpeg_save_markers(&jpeg_, JPEG_APP0 + 1, 0xffff);
+            jpeg_save_markers(&jpeg_, JPEG_APP0 + 2, 0xffff);
             jpeg_read_header(&jpeg_, TRUE);
         });
         const int colours = jpeg_.num_components;
@@ -29,8 +35,19 @@ class JpegPicture : public PictureReader {
                                               colours, colours == 4 ? ", CMYK" : ""));
         jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
         guarded([this] { jpeg_start_decompress(&jpeg_); });
-        set_format(
-            {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false});
+        Format format{static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours};
+        std::vector<std::uint8_t> icc; // may be in several parts
+        for (auto marker = jpeg_.marker_list; marker; marker = marker->next) {
+            const std::span<const std::uint8_t> data(marker->data, marker->data_length);
+            const std::string_view text(reinterpret_cast<const char*>(marker->data), marker->data_length);
+            if (text.starts_with("Exif\0\0"sv))
+                format.orientation = exif_orientation(data.subspan(6));
+            if (text.starts_with("ICC_PROFILE\0"sv) && data.size() > 14)
+                icc.insert(icc.end(), data.begin() + 14, data.end());
+        }
+        if (!icc.empty())
+            format.profile = foreign_profile(icc);
+        set_format(format);
         bytes_.resize(std::size_t{jpeg_.output_width} * static_cast<std::size_t>(colours));
     }
 
@@ -64,7 +81,9 @@ class JpegPicture : public PictureReader {
     }
     static void on_error(j_common_ptr jpeg) { std::longjmp(static_cast<Errors*>(jpeg->err)->jump, 1); }
     static void on_message(j_common_ptr jpeg, int level) {
-        if (level < 0) // a warning: the data is damaged
+        // A warning: the data is damaged, unless these are superfluous bytes before the first scan.
+        if (level < 0 && (jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA ||
+                          reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > 0))
             on_error(jpeg);
     }
 

@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "image/exr.hpp"
+#include "image/metadata.hpp"
 
 #include <fmt/format.h>
 
@@ -69,9 +70,9 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
     const std::string_view head(start.data(), std::fread(start.data(), 1, start.size(), file.get()));
     std::rewind(file.get());
     if (head == "\x89PNG\r\n\x1a\n"sv)
-        return open_png(path, std::move(file));
+        return upright(path, open_png(path, std::move(file)));
     if (head.starts_with("\xff\xd8\xff"sv))
-        return open_jpeg(path, std::move(file));
+        return upright(path, open_jpeg(path, std::move(file)));
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path, channel);
     if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||

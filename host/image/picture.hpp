@@ -25,6 +25,8 @@ class PictureReader {
         int top = 0;
         std::optional<double> extent = {}; ///< width of a GeoTIFF in the unit of its map, such as metres
         std::optional<float> missing = {}; ///< value of pixels without a height, from GDAL's tag
+        int orientation = 1;               ///< EXIF's; always 1 in pictures from `open_picture`
+        std::string profile = {};          ///< name of the ICC profile, unless its colours are sRGB's
     };
 
     virtual ~PictureReader() = default;
@@ -59,9 +61,10 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA, TIFF or OpenEXR file; the content, not the name, decides the format. If an EXR has
-/// a channel named `channel`, reads only that. Throws RequestError for other formats, with `hint` at the end
-/// of the message, for colours other than grey or RGB, and for unreadable files.
+/// Opens a PNG, JPEG, TGA, TIFF or OpenEXR file; the content, not the name, decides the format. EXIF data in
+/// a PNG or JPEG turn and mirror the picture. If an EXR has a channel named `channel`, reads only that.
+/// Throws RequestError for other formats, with `hint` at the end of the message, for colours other than grey
+/// or RGB, and for unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {}, std::string_view hint = {});
 
@@ -73,7 +76,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Opens a regular file. Throws RequestError for anything else: opening a FIFO would block.
 File open_file(const std::filesystem::path& path);
 
-/// Each of these reads a file of its format. `path` names it in messages.
+/// Each of these reads a file of its format, as it is stored. `path` names it in messages.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
 /// Returns null if the file is not a TGA.

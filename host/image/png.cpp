@@ -1,5 +1,6 @@
 #include "image/png.hpp"
 
+#include "image/metadata.hpp"
 #include "image/output_file.hpp"
 #include "image/picture.hpp"
 
@@ -69,6 +70,7 @@ class PngPicture : public PictureReader {
         Format format;
         guarded([&] {
             png_set_user_limits(png, widest_png, widest_png);
+            png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT); // a damaged tRNS changes pixels
             png_init_io(png, file_.get());
             png_read_info(png, info);
             format.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
@@ -82,6 +84,14 @@ class PngPicture : public PictureReader {
         format.width = static_cast<int>(png_get_image_width(png, info));
         format.height = static_cast<int>(png_get_image_height(png, info));
         format.channels = png_get_channels(png, info) - (format.alpha ? 1 : 0);
+        png_bytep bytes = nullptr;
+        png_uint_32 size = 0;
+        if (png_get_eXIf_1(png, info, &size, &bytes) != 0)
+            format.orientation = exif_orientation({bytes, size});
+        png_charp name = nullptr;
+        int compression = 0;
+        if (png_get_iCCP(png, info, &name, &compression, &bytes, &size) != 0)
+            format.profile = foreign_profile({bytes, size});
         set_format(format);
         row_bytes_ = png_get_rowbytes(png, info);
         bytes_.resize(row_bytes_);

@@ -40,13 +40,13 @@ struct Source {
 // The bytes of the file's header.
 using Header = std::array<std::uint8_t, 18>;
 
-// The bytes of the file up to the end of its pixels, if they are not run-length encoded.
+// The bytes of the file up to the end of its pixels; the least, if they are run-length encoded.
 std::int64_t needed_bytes(const Header& header) {
-    const auto word = [&](std::size_t i) { return header[i] + 256 * header[i + 1]; };
+    const auto word = [&](std::size_t i) { return std::int64_t{header[i]} + 256 * header[i + 1]; };
     const auto bytes = [](int bits) { return std::int64_t{(bits + 7) / 8}; };
-    return header[2] >= 8 ? 0
-                          : 18 + header[0] + header[1] * word(5) * bytes(header[7]) +
-                                word(12) * word(14) * bytes(header[16]);
+    const std::int64_t pixels = word(12) * word(14);
+    return 18 + header[0] + header[1] * word(5) * bytes(header[7]) +
+           (header[2] >= 8 ? (pixels + 127) / 128 * (1 + bytes(header[16])) : pixels * bytes(header[16]));
 }
 
 class TgaPicture : public PictureReader {
@@ -61,11 +61,13 @@ class TgaPicture : public PictureReader {
         const std::int64_t size = std::ftell(file);
         std::rewind(file);
         Source source{file};
-        bytes_.reset(stbi_load_from_callbacks(&Source::callbacks, &source, &width, &height, &values, 0));
+        const bool whole = whole_header && size >= needed_bytes(header);
+        if (whole)
+            bytes_.reset(stbi_load_from_callbacks(&Source::callbacks, &source, &width, &height, &values, 0));
+        if (!whole || source.short_of_bytes)
+            refuse_picture(path, "the file ends before its last pixel");
         if (!bytes_)
             refuse_picture(path, stbi_failure_reason());
-        if (!whole_header || size < needed_bytes(header) || source.short_of_bytes)
-            refuse_picture(path, "the file ends before its last pixel");
         if (header[17] & 0x10) // from right to left
             for (int y = 0; y < height; ++y)
                 for (int left = 0, right = width - 1; left < right; ++left, --right)

@@ -10,6 +10,7 @@ import unittest
 
 import numpy as np
 import PIL.Image
+import PIL.ImageCms
 import PIL.ImageDraw
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -194,6 +195,20 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         first = np.linalg.norm(np.array(expected["mixing"])[:, 0])
         for name in ("mean", "mixing"):
             self.assertLess(np.abs(np.array(found[name]) - expected[name]).max(), most * first, name)
+
+    def test_tagged_photographs(self):
+        """EXIF data turn a photograph; an ICC profile other than sRGB is named."""
+        picture = PIL.Image.fromarray(np.rint(255 * np.clip(colour_noise(160)[:144], 0, 1)).astype("u1"))
+        srgb = PIL.ImageCms.ImageCmsProfile(PIL.ImageCms.createProfile("sRGB")).tobytes()
+        picture.save(self.folder / "upright.png", icc_profile=srgb)
+        expected = self.fit("upright.png", "--lobes", "2")
+        self.assertNotIn("profile", self.said)
+        exif = PIL.Image.Exif()
+        exif[0x0112] = 6 # turn clockwise
+        linear = srgb.replace(b"para\0\0\0\0\0\3\0\0\0\2\x66\x66", b"para\0\0\0\0\0\0\0\0\0\1\0\0")
+        picture.transpose(PIL.Image.Transpose.ROTATE_90).save(self.folder / "turned.png", exif=exif, icc_profile=linear)
+        self.assertEqual(self.fit("turned.png", "--lobes", "2"), expected)
+        self.assertEqual(self.said.count("its ICC profile is 'sRGB built-in'"), 1)
 
     def test_tga(self):
         picture = PIL.Image.fromarray(np.rint(255 * np.clip(colour_noise(160), 0, 1)).astype("u1"))
