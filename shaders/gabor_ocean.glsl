@@ -55,7 +55,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     vec2 slope;    // derivatives of the height by p
     vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
+    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
     vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
@@ -160,7 +160,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         band.amplitude = shown * sqrt(sum.x);
         band.slopes = shown * sum.y * 16.195056 * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
-        band.exponent = 34 - 2 * power - i;
+        band.exponent = 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
         band.low = low;
         band.quarter = vec4(quartile, 424.0) - vec4(0.0, quartile);
         band.spread = floor(4092.0 * vec3(a, b, c));
@@ -187,7 +187,7 @@ float gabor_impl_whole(float x) {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
 // slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
 void gabor_impl_add_water(inout GaborWater sum, inout vec2 tilt, inout vec3 squeeze, uint word, vec2 from, vec3 window,
                           GaborOceanBand band, float wave, vec3 shape, int second, float fraction, vec2 dx, vec2 dy) {
@@ -281,12 +281,13 @@ GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, ve
         vec4 x, y, slope_x, slope_y;
         gabor_impl_water_windows(three, offset.x, x, slope_x);
         gabor_impl_water_windows(three, offset.y, y, slope_y);
-        vec3 shape = three ? vec3(0.89289313, 7.3973916e18, GABOR_IMPL_DEVIATION) : vec3(0.0, 1.0e21, 1.2432818e30);
-        x *= band.amplitude / (energy * shape.z);
-        slope_x *= band.amplitude / (energy * shape.z * spacing);
+        float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30;
+        vec3 shape = three ? vec3(0.89289313, 7.3973916e18, 1.0034 * deviation) : vec3(0.0, 1.0e21, 1.0297 * deviation);
+        x *= band.amplitude / (energy * deviation);
+        slope_x *= band.amplitude / (energy * deviation * spacing);
         slope_y /= spacing;
         float f = 1.4901161e-8 * band.low;
-        float wave = (three ? 0.6383 : 0.6354) * f * f; // 2 pi / g, less 0.3 or 0.8 % for the slopes that the windows add
+        float wave = (three ? 0.6383 : 0.622) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
         uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
         uint right = gabor_impl_line_word(node.x + 2, salt);
         vec2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx;

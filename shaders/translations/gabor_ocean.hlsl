@@ -71,7 +71,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
+    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
@@ -187,7 +187,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         band.amplitude = shown * sqrt(sum.x);
         band.slopes = shown * sum.y * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
-        band.exponent = 34 - 2 * power - i;
+        band.exponent = 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
         band.low = low;
         band.quarter = float4(quartile, 424.0) - float4(0.0, quartile);
         band.spread = floor(4092.0 * float3(a, b, c));
@@ -214,7 +214,7 @@ float gabor_impl_whole(float x) {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
 // slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
 void gabor_impl_add_water(inout GaborWater sum, inout float2 tilt, inout float3 squeeze, uint word, float2 from, float3 window,
                           GaborOceanBand band, float wave, float3 shape, int second, float fraction, float2 dx, float2 dy) {
@@ -308,12 +308,13 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
         float4 x, y, slope_x, slope_y;
         gabor_impl_water_windows(three, offset.x, x, slope_x);
         gabor_impl_water_windows(three, offset.y, y, slope_y);
-        float3 shape = three ? float3(0.89289313, 7.3973916e18, GABOR_IMPL_DEVIATION) : float3(0.0, 1.0e21, 1.2432818e30);
-        x *= band.amplitude / (energy * shape.z);
-        slope_x *= band.amplitude / (energy * shape.z * spacing);
+        float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30;
+        float3 shape = three ? float3(0.89289313, 7.3973916e18, 1.0034 * deviation) : float3(0.0, 1.0e21, 1.0297 * deviation);
+        x *= band.amplitude / (energy * deviation);
+        slope_x *= band.amplitude / (energy * deviation * spacing);
         slope_y /= spacing;
         float f = 1.4901161e-8 * band.low;
-        float wave = (three ? 0.6383 : 0.6354) * f * f; // 2 pi / g, less 0.3 or 0.8 % for the slopes that the windows add
+        float wave = (three ? 0.6383 : 0.622) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
         uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
         uint right = gabor_impl_line_word(node.x + 2, salt);
         float2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx;

