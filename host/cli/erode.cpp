@@ -151,9 +151,9 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     map.smoothed = render::smoothed(map, std::max(gully / 7, 1.0));
     if (format.bits == 8)
         fmt::print(stderr, "gabor: warning: '{}' has 8 bits per height: its steps show as terraces\n", name);
-    map.extent = extent               ? *extent
-                 : map.smoothed.slope ? map.smoothed.slope * map.width / typical_slope
-                                      : map.width;
+    map.extent = extent                   ? *extent
+                 : map.smoothed.slope > 0 ? map.smoothed.slope * map.width / typical_slope
+                                          : map.width;
     if (!extent || (format.bits < 32 && !options.elevation))
         fmt::print("{}: heights from {:.6g} to {:.6g}{}, {:.4g} wide{}\n", name, map.smoothed.range[0],
                    map.smoothed.range[1],

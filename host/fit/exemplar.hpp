@@ -56,7 +56,8 @@ struct Exemplar {
     double structure = 0;                        ///< Structure::excess of the first component
 };
 
-/// Reads the file twice, or three times if it has fireflies, and keeps only one window's rows in memory.
+/// Reads the file twice, or three times if it has fireflies, and keeps only one window's rows in memory,
+/// unless EXIF data turn the photograph.
 /// Throws RequestError if the file cannot be read, or if the picture is too small, transparent or constant,
 /// or has a value that is not finite.
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);

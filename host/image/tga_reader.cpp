@@ -25,17 +25,17 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // the whole picture
 struct Source {
     std::FILE* file;
     bool short_of_bytes = false;
-
-    static constexpr stbi_io_callbacks callbacks{
-        [](void* source, char* bytes, int size) {
-            auto& of = *static_cast<Source*>(source);
-            const auto read = std::fread(bytes, 1, static_cast<std::size_t>(size), of.file);
-            of.short_of_bytes |= read == 0;
-            return static_cast<int>(read);
-        },
-        [](void* source, int size) { std::fseek(static_cast<Source*>(source)->file, size, SEEK_CUR); },
-        [](void* source) { return std::feof(static_cast<Source*>(source)->file); }};
 };
+
+constexpr stbi_io_callbacks callbacks{
+    [](void* source, char* bytes, int size) {
+        auto& of = *static_cast<Source*>(source);
+        const auto read = std::fread(bytes, 1, static_cast<std::size_t>(size), of.file);
+        of.short_of_bytes |= read == 0;
+        return static_cast<int>(read);
+    },
+    [](void* source, int size) { std::fseek(static_cast<Source*>(source)->file, size, SEEK_CUR); },
+    [](void* source) { return std::feof(static_cast<Source*>(source)->file); }};
 
 // The bytes of the file's header.
 using Header = std::array<std::uint8_t, 18>;
@@ -63,7 +63,7 @@ class TgaPicture : public PictureReader {
         Source source{file};
         const bool whole = whole_header && size >= needed_bytes(header);
         if (whole)
-            bytes_.reset(stbi_load_from_callbacks(&Source::callbacks, &source, &width, &height, &values, 0));
+            bytes_.reset(stbi_load_from_callbacks(&callbacks, &source, &width, &height, &values, 0));
         if (!whole || source.short_of_bytes)
             refuse_picture(path, "the file ends before its last pixel");
         if (!bytes_)

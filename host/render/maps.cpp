@@ -262,16 +262,17 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
     image::OutputFile gltf(folder / gltf_name);
 
     const Maps maps = draw_maps(device, request, advance);
-    const auto [low, high] = maps.heights();
-    write_rows(maps, exr, pngs, writers, low, high, advance);
+    const std::pair<float, float> heights = maps.heights();
+    write_rows(maps, exr, pngs, writers, heights.first, heights.second, advance);
     if (format.texture)
         write_levels(exr, maps);
     const auto filled = [&](std::string_view text, double unit) {
         return fmt::format(
             fmt::runtime(text),
             fmt::arg("name", has_terrain(request) ? "terrain" : std::string_view(request.material)),
-            fmt::arg("version", GABOR_VERSION), fmt::arg("low", low), fmt::arg("high", high),
-            fmt::arg("width", request.width / unit), fmt::arg("height", request.height / unit));
+            fmt::arg("version", GABOR_VERSION), fmt::arg("low", heights.first),
+            fmt::arg("high", heights.second), fmt::arg("width", request.width / unit),
+            fmt::arg("height", request.height / unit));
     };
     materialx.write(filled(materialx_template, request.scale));
     gltf.write(filled(gltf_template, std::max(request.width, request.height)));
