@@ -91,13 +91,14 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
 // functions.cpp.
 double sensitivity(const std::string& call, std::size_t point, bool fused) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    if (fused && has("gabor_er")) // where stripes vanish, their phase is arbitrary
+    if (fused && (has("gabor_er") || has("gabor_terrain"))) // where stripes vanish, their phase is arbitrary
         return 10000;
     if (fused && point / 4 % 4 == 3)
         return 6000;
-    if (fused &&
-        (point % 16 == 1 || has("gabor_water_at"))) // the highest frequencies, and waves about to be left out
-        return has("gabor_water_at") ? 100 : 16;
+    if (fused && has("gabor_water_at")) // waves about to be left out
+        return 100;
+    if (fused && (point % 16 == 1 || point % 16 == 7)) // the highest frequencies, and pixels that are lines
+        return 16;
     if (has("filtered") && point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
     if (has("gabor_er") && point / 4 % 4 == 3) // far from the origin, each octave rounds its position
