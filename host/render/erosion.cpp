@@ -188,7 +188,7 @@ SmoothedMap smoothed(const HeightMap& map, double spacing) {
             power += std::pow(to_right * result.intervals[0] / map.width, 2) +
                      std::pow(to_bottom * result.intervals[1] / map.height, 2);
         }
-    result.slope = std::sqrt(power / nodes);
+    result.slope = std::sqrt(power / std::max(nodes, 1.0));
     return result;
 }
 
