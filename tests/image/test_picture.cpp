@@ -185,7 +185,7 @@ TEST_CASE("A picture is turned and mirrored as its EXIF data demand", "[picture]
     }
 }
 
-TEST_CASE("Superfluous bytes before and after a JPEG's scans are skipped, others are damage", "[picture]") {
+TEST_CASE("Superfluous bytes before and after a JPEG's scans are ignored, others are damage", "[picture]") {
     const ScratchFolder folder;
     const auto with_bytes_before = [&](std::string_view marker, const char* name) {
         const std::string bytes = read_file(example(name));
