@@ -251,7 +251,8 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel:
 def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: ArrayLike = 0, workers: int | None = None,
           dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
-    axis of 4, as `gabor erode` does. Gullies follow the map smoothed to their scale.
+    axis of 4. Gullies follow the map smoothed to their scale, as with `gabor erode`, which has rounder creases, half as many gullies
+    by default, and a limit to the changes.
 
     heights: an array of at least 3 x 3 heights.
     extent: the map's width, in the unit of its heights.
