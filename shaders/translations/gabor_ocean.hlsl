@@ -125,7 +125,7 @@ float2 gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^
 }
 
 // The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
-// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+// intervals, `starts` and `ends` the densities at their ends; in between, the density is linear.
 float gabor_impl_quantile(float share, float4 sums, float4 starts, float4 ends) {
     share *= sums.w;
     float4 found = share < sums.x ? float4(0.0, sums.x, starts.x, ends.x) : share < sums.y ? float4(sums.xy, starts.y, ends.y)
@@ -226,8 +226,8 @@ void gabor_impl_add_water(inout GaborWater sum, inout float2 tilt, inout float3 
     float u = 2.0 * float((bits >> 11u) & 2047u) - 2047.0, v = 2.0 * float(bits & 2047u) - 2047.0;
     float bent = gabor_impl_whole(band.spread.x + 4.8828125e-4 * band.spread.y * gabor_impl_whole(4.8828125e-4 * u * u));
     float side = u * bent + v * band.spread.z;
-    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
-    // is 861 / 2048, nearly 2^(-5/4), of `carried`.
+    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V, where k.V is
+    // `carried` times 861 / 2048, nearly 2^(-5/4).
     float angle = gabor_impl_whole(1.2207031e-4 * abs(side)) * (band.widen.x + band.widen.y * (rise - 1236.0));
     float part = gabor_impl_whole(1.2207031e-4 * angle), lag = gabor_impl_whole(4.8828125e-4 * part * part);
     float steep = gabor_impl_whole(9.765625e-4 * square), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
@@ -275,6 +275,7 @@ void gabor_impl_water_windows(bool three, float x, out float4 value, out float4 
     }
 }
 
+// The parts of v along a unit vector and across it.
 float2 gabor_impl_into(float2 v, float2 by) {
     return float2(v.x * by.x + v.y * by.y, v.y * by.x - v.x * by.y);
 }

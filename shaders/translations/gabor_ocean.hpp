@@ -103,7 +103,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_spectrum(float f, float peak, float scale) { 
 }
 
 // The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
-// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+// intervals, `starts` and `ends` the densities at their ends; in between, the density is linear.
 GABOR_INLINE float gabor_impl_quantile(float share, gabor_vec4 sums, gabor_vec4 starts, gabor_vec4 ends) {
     share *= sums.w;
     gabor_vec4 found = share < sums.x ? gabor_vec4(0.0f, sums.x, starts.x, ends.x) : share < sums.y ? gabor_vec4(sums.xy(), starts.y, ends.y)
@@ -204,8 +204,8 @@ GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec2& tilt, gabor_
     float u = 2.0f * float((bits >> 11u) & 2047u) - 2047.0f, v = 2.0f * float(bits & 2047u) - 2047.0f;
     float bent = gabor_impl_whole(band.spread.x + 4.8828125e-4f * band.spread.y * gabor_impl_whole(4.8828125e-4f * u * u));
     float side = u * bent + v * band.spread.z;
-    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V. There, k.V
-    // is 861 / 2048, nearly 2^(-5/4), of `carried`.
+    // `angle` is 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, `carried` 1024 (F / low)^2 cos d, and `turning` F - k.V, where k.V is
+    // `carried` times 861 / 2048, nearly 2^(-5/4).
     float angle = gabor_impl_whole(1.2207031e-4f * gabor_cpp_abs(side)) * (band.widen.x + band.widen.y * (rise - 1236.0f));
     float part = gabor_impl_whole(1.2207031e-4f * angle), lag = gabor_impl_whole(4.8828125e-4f * part * part);
     float steep = gabor_impl_whole(9.765625e-4f * square), carried = steep - gabor_impl_whole(9.765625e-4f * steep * lag);
@@ -253,6 +253,7 @@ GABOR_INLINE void gabor_impl_water_windows(bool three, float x, gabor_vec4& valu
     }
 }
 
+// The parts of v along a unit vector and across it.
 GABOR_INLINE gabor_vec2 gabor_impl_into(gabor_vec2 v, gabor_vec2 by) {
     return gabor_vec2(v.x * by.x + v.y * by.y, v.y * by.x - v.x * by.y);
 }

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 48a5356a39302688.
+// naga 30.0.1 made it from GLSL with the digest e8a5f3bb49fb35bf.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -107,7 +107,7 @@ fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> vec2<f32> {
 }
 
 // The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
-// intervals, `starts` and `ends` the densities there, which are taken as linear in between.
+// intervals, `starts` and `ends` the densities at their ends; in between, the density is linear.
 fn gabor_impl_quantile(share: f32, sums: vec4<f32>, starts: vec4<f32>, ends: vec4<f32>) -> f32 {
     var share_1: f32;
     var local_12: vec4<f32>;
@@ -763,6 +763,7 @@ fn gabor_impl_water_windows(three: bool, x: f32, value: ptr<function, vec4<f32>>
     }
 }
 
+// The parts of v along a unit vector and across it.
 fn gabor_impl_into(v: vec2<f32>, by: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(((v.x * by.x) + (v.y * by.y)), ((v.y * by.x) - (v.x * by.y)));
 }
