@@ -40,8 +40,9 @@ struct GaborMaterial {
 };
 
 // float gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
-//     variance of the removed slopes.
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
+//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
+//     entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -186,7 +187,7 @@ struct GaborStrata {
 // functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
-// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// unfiltered colour at every distance. Leather and the weaves average samples, and fade to a measured mean.
 //
 // The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
@@ -696,10 +697,9 @@ float gabor_impl_rise_lost(float phase, float span, float full) {
 }
 
 // A smoothstep from `low` to `high`.
-vec3 gabor_impl_step(vec3 low, vec3 high, vec3 x) {
-    float width = high.x - low.x, t = clamp((x.x - low.x) / width, 0.0, 1.0);
-    vec2 slope = (x.yz - low.yz - t * (high.yz - low.yz)) / width;
-    return vec3(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * slope);
+vec3 gabor_impl_step(float low, float high, vec3 x) {
+    float t = clamp((x.x - low) / (high - low), 0.0, 1.0);
+    return vec3(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low) * x.yz);
 }
 
 GaborMaterial gabor_impl_material(vec3 colour, vec3 height, vec3 lost, float roughness, float metalness) {
@@ -755,12 +755,40 @@ GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
     return gabor_impl_wood(pixel, board, wood, of, seed);
 }
 
-// ---- Weaves --------------------------------------------------------------------------------------------------------
+// ---- Samples -------------------------------------------------------------------------------------------------------
+//
+// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
-float gabor_impl_weave_kept(GaborPixel pixel, vec3 x, vec3 y) {
-    return exp(-min(2.5 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)), 40.0));
+// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
+float gabor_impl_pixel_spread(GaborPixel pixel, vec3 x, vec3 y) {
+    return sqrt(0.125 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)));
 }
+
+// The number of samples for that standard deviation.
+int gabor_impl_samples(float spread) {
+    return spread > 0.001 ? 16 : 1;
+}
+
+// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
+vec2 gabor_impl_sample(GaborPixel pixel, int i, int count) {
+    vec2 at = 0.125 * vec2(float(i), float((7 * i + 10) % 16)) - 0.9375;
+    at *= 0.5566 + 0.507 * at * at;
+    return count > 1 ? at.x * pixel.dx + at.y * pixel.dy : vec2(0.0);
+}
+
+// A value with derivatives, at an offset.
+vec3 gabor_impl_moved(vec3 a, vec2 offset) {
+    return vec3(a.x + dot(a.yz, offset), a.yz);
+}
+
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
+// squares, and becomes their covariance, which fades to `square`.
+void gabor_impl_average(inout vec3 height, inout vec3 lost, int count, float kept, float mean, vec3 square) {
+    height = kept / float(count) * height + vec3((1.0 - kept) * mean, 0.0, 0.0);
+    lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : vec3(0.0);
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
 
 GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.7), vec2(0.02 * fabric.unevenness), seed, 0);
@@ -785,28 +813,38 @@ vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend) {
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
 GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count, GaborFabric fabric, GaborPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
-    vec3 one = vec3(1.0, 0.0, 0.0), x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y);
-    x += 0.13 * uneven * of.a.first;
-    y += 0.13 * uneven * of.b.first;
-    float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
-    x.x -= floor(x.x) + 0.5;
-    y.x -= floor(y.x) + 0.5;
-    vec3 along_y = gabor_impl_thread(x, one + 0.16 * uneven * of.a.second, y, parity);
-    vec3 along_x = gabor_impl_thread(y, one + 0.16 * uneven * of.b.second, x, -parity);
-    bool first = along_y.x > along_x.x;
-    vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
-    vec3 lost = first ? of.c.lost : of.d.lost;
-    if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
-    vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
-                                 0.09 * uneven)
-               + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12);
-    float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top.x), kept);
-    vec3 colour = mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
-                      mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
-    vec3 height = vec3(mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top.x, kept), kept * top.yz);
-    height = unit * (0.3 * height + 0.035 * fibre);
-    lost = unit * unit * (0.29 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 0.001225 * lost);
+    vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.3, 0.7, spread);
+    at_x += 0.13 * uneven * of.a.first;
+    at_y += 0.13 * uneven * of.b.first;
+    vec2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
+    vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
+    vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        vec2 offset = gabor_impl_sample(pixel, i, samples);
+        vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
+        x.x -= floor(x.x) + 0.5;
+        y.x -= floor(y.x) + 0.5;
+        vec3 along_y = gabor_impl_thread(x, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, parity);
+        vec3 along_x = gabor_impl_thread(y, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -parity);
+        bool first = along_y.x > along_x.x;
+        vec3 top = first ? along_y : along_x;
+        if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
+        colour += mix(0.18, 1.0, smoothstep(-1.3, 0.5, top.x)) * (first ? warp : weft);
+        top = 0.3 * top + 0.035 * (first ? of.c.second : of.d.second);
+        height += top;
+        lost += gabor_impl_square(top.yz);
+    }
+    float light = 0.8828 - 0.0056 * uneven * uneven, tall = 0.0406 + 0.0025 * uneven * uneven;
+    gabor_impl_average(height, lost, samples, kept, tall, vec3(0.29 * count * count, 0.0));
+    colour = mix(0.5 * light * (warp + weft), colour / float(samples), kept);
+    height *= unit;
+    lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
         vec3 at = cords * gabor_impl_along_x(cloth);
@@ -846,25 +884,36 @@ GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, vec2 count, uint seed)
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, vec2 count, GaborCarbonFibre fibres,
                                       GaborPairs of) {
-    vec3 x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y), unit = fibres.relief / fibres.tows;
-    float turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
-    x.x -= floor(x.x);
-    y.x -= floor(y.x);
-    bool first = turn < 1.5;
-    vec3 fibre = first ? of.a.first : of.b.first, lost = first ? of.a.lost : of.b.lost;
-    vec3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
-    along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
-    across.x -= 1.0;
-    float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
-    vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
-    vec3 bulge = vec3(mix(0.5093, wave.y * arch, kept),
-                      kept * (3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz));
-    vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
-    vec3 colour = (0.35 + 0.65 * bulge.x) * gabor_impl_toned(fibres.colour, tone);
-    // The mean square of the bulge's slope, over tows along x and y, is 2.72.
-    lost = unit * unit * (0.0256 * 2.72 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 3.6e-5 * lost);
-    return gabor_impl_material(colour, unit * (0.16 * bulge + 0.006 * fibre), lost, fibres.roughness, 0.0);
+    vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    float unit = fibres.relief / fibres.tows;
+    vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
+    vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        vec2 offset = gabor_impl_sample(pixel, i, samples);
+        vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
+        x.x -= floor(x.x);
+        y.x -= floor(y.x);
+        bool first = turn < 1.5;
+        vec3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
+        along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
+        across.x -= 1.0;
+        float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
+        vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+        vec3 bulge = vec3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz);
+        colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
+        bulge = 0.16 * bulge + 0.006 * (first ? of.a.first : of.b.first);
+        height += bulge;
+        lost += gabor_impl_square(bulge.yz);
+    }
+    // The bulge's mean is 0.5093, and its slope's mean square, over tows along x and y, 2.72.
+    gabor_impl_average(height, lost, samples, kept, 0.081488, 0.0256 * 2.72 * vec3(count * count, 0.0));
+    colour = mix(0.340523 * (warp + weft), colour / float(samples), kept);
+    lost = unit * unit * (lost + 1.8e-5 * (of.a.lost + of.b.lost));
+    return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
 GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres, uint seed) {
@@ -894,40 +943,57 @@ GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped skin, G
     return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
-// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
-struct GaborCrest {
-    vec3 cosine;
-    vec3 sine;
-    vec3 share;
-};
+// The wave vector of a layer in turns per unit of p.
+vec2 gabor_impl_turns(GaborLayer layer) {
+    vec2 wave = layer.density * layer.wave;
+    return vec2(dot(wave, layer.at.x), dot(wave, layer.at.y));
+}
 
-GaborCrest gabor_impl_crest(GaborPair wave) {
-    float power = wave.first.x * wave.first.x + wave.second.x * wave.second.x, whole = power + 2.5 * wave.removed;
-    vec2 change = 2.0 * (wave.first.x * wave.first.yz + wave.second.x * wave.second.yz);
-    vec3 unit = inversesqrt(power + 0.12) * vec3(1.0, -0.5 / (power + 0.12) * change);
-    return GaborCrest(gabor_impl_times(wave.first, unit), gabor_impl_times(wave.second, unit),
-                      vec3(power, 2.5 * wave.removed / whole * change) / whole);
+// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
+GaborPair gabor_impl_moved_waves(GaborPair pair, vec2 turns, vec2 offset) {
+    vec2 turn = gabor_impl_wave(dot(turns, offset)), whole = 6.2831853 * turns;
+    vec3 a = gabor_impl_moved(pair.first + vec3(0.0, pair.second.x * whole), offset);
+    vec3 b = gabor_impl_moved(pair.second - vec3(0.0, pair.first.x * whole), offset);
+    vec3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
+    return GaborPair(first - vec3(0.0, second.x * whole), second + vec3(0.0, first.x * whole), 0.0, vec3(0.0));
+}
+
+// Brings the waves of a pair near length 1: their cosine and sine.
+void gabor_impl_crest(GaborPair waves, out vec3 cosine, out vec3 sine) {
+    float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12;
+    vec2 change = waves.first.x * waves.first.yz + waves.second.x * waves.second.yz;
+    vec3 unit = inversesqrt(power) * vec3(1.0, -1.0 / power * change);
+    cosine = gabor_impl_times(waves.first, unit);
+    sine = gabor_impl_times(waves.second, unit);
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
-    GaborCrest a = gabor_impl_crest(of.c), b = gabor_impl_crest(of.d);
-    vec3 one = vec3(1.0, 0.0, 0.0), shares = gabor_impl_times(a.share, b.share);
-    vec3 cells = a.cosine + b.cosine + gabor_impl_times(a.cosine, b.cosine) - gabor_impl_times(a.sine, b.sine);
-    float root = sqrt(shares.x); // `cells` is 3 in the middle of a cell, -1.5 in a corner
-    vec3 kept = vec3(root, 0.5 / max(root, 1.0e-6) * shares.yz), blur = one - kept;
-    vec3 pebble = gabor_impl_step(-1.45 * one - blur, -0.55 * one + blur, cells + 0.1 * of.a.second) - 0.806 * one;
-    vec3 dome = gabor_impl_step(-one, 3.0 * one, cells) - 0.236 * one;
-    pebble = 0.806 * one + gabor_impl_times(kept, pebble);
-    dome = 0.236 * one + gabor_impl_times(kept, dome);
+GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, vec2 turns_a, vec2 turns_b, GaborPairs of) {
+    float spread = gabor_impl_pixel_spread(pixel, vec3(0.0, turns_a), vec3(0.0, turns_b));
+    float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0;
+    vec3 height = vec3(0.0), lost = vec3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        vec2 offset = gabor_impl_sample(pixel, i, samples);
+        vec3 a, b, sine_a, sine_b;
+        gabor_impl_crest(gabor_impl_moved_waves(of.c, turns_a, offset), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.d, turns_b, offset), b, sine_b);
+        // 3 in the middle of a cell, -1.5 in a corner
+        vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
+        vec3 pebble = gabor_impl_step(-1.45, -0.55, cells + 0.1 * of.a.second);
+        share += pebble.x;
+        vec3 relief = 0.016 * pebble + 0.013 * gabor_impl_step(-1.0, 3.0, cells) + 0.0016 * of.a.second;
+        height += relief;
+        lost += gabor_impl_square(relief.yz);
+    }
+    vec3 square = leather.cells * leather.cells * vec3(0.00287, 0.0026, 0.0);
+    gabor_impl_average(height, lost, samples, kept, 0.015964, square);
+    share = mix(0.806, share / float(samples), kept);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
-    vec3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
-    float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
-    vec3 lost = gone * vec3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
-    vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
-                               leather.roughness + 0.15 * (1.0 - pebble.x), 0.0);
+    vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    lost = leather.relief * leather.relief * (lost + 2.56e-6 * of.a.lost);
+    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
@@ -937,9 +1003,11 @@ GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint s
     for (int i = 0; i < 3; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
@@ -1307,12 +1375,11 @@ GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, G
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-    for (int i = 4; i < 6; ++i) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-        if (i == 4) of.c = pair;
-        else of.d = pair;
-    }
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborMarble marble, uint seed) {
@@ -1400,7 +1467,7 @@ GaborMaterial gabor_strata_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
 
 float gabor_roughness(GaborMaterial material) {
     float alpha = material.roughness * material.roughness;
-    return sqrt(sqrt(min(alpha * alpha + material.lost.x + material.lost.y, 1.0)));
+    return sqrt(sqrt(min(alpha * alpha + 0.61 * (material.lost.x + material.lost.y), 1.0)));
 }
 
 GaborWood gabor_wood_default() {

@@ -45,8 +45,9 @@ struct GaborMaterial {
 };
 
 // float gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
-//     variance of the removed slopes.
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
+//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
+//     entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -191,7 +192,7 @@ struct GaborStrata {
 // functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
-// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// unfiltered colour at every distance. Leather and the weaves average samples, and fade to a measured mean.
 //
 // The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
@@ -701,10 +702,9 @@ GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
 }
 
 // A smoothstep from `low` to `high`.
-GABOR_INLINE gabor_vec3 gabor_impl_step(gabor_vec3 low, gabor_vec3 high, gabor_vec3 x) {
-    float width = high.x - low.x, t = gabor_cpp_clamp((x.x - low.x) / width, 0.0f, 1.0f);
-    gabor_vec2 slope = (x.yz() - low.yz() - t * (high.yz() - low.yz())) / width;
-    return gabor_vec3(t * t * (3.0f - 2.0f * t), 6.0f * t * (1.0f - t) * slope);
+GABOR_INLINE gabor_vec3 gabor_impl_step(float low, float high, gabor_vec3 x) {
+    float t = gabor_cpp_clamp((x.x - low) / (high - low), 0.0f, 1.0f);
+    return gabor_vec3(t * t * (3.0f - 2.0f * t), 6.0f * t * (1.0f - t) / (high - low) * x.yz());
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, gabor_vec3 height, gabor_vec3 lost, float roughness, float metalness) {
@@ -760,12 +760,40 @@ GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborW
     return gabor_impl_wood(pixel, board, wood, of, seed);
 }
 
-// ---- Weaves --------------------------------------------------------------------------------------------------------
+// ---- Samples -------------------------------------------------------------------------------------------------------
+//
+// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
-GABOR_INLINE float gabor_impl_weave_kept(GaborPixel pixel, gabor_vec3 x, gabor_vec3 y) {
-    return gabor_cpp_exp(-gabor_cpp_min(2.5f * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)), 40.0f));
+// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
+GABOR_INLINE float gabor_impl_pixel_spread(GaborPixel pixel, gabor_vec3 x, gabor_vec3 y) {
+    return gabor_cpp_sqrt(0.125f * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)));
 }
+
+// The number of samples for that standard deviation.
+GABOR_INLINE int gabor_impl_samples(float spread) {
+    return spread > 0.001f ? 16 : 1;
+}
+
+// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
+GABOR_INLINE gabor_vec2 gabor_impl_sample(GaborPixel pixel, int i, int count) {
+    gabor_vec2 at = 0.125f * gabor_vec2(float(i), float((7 * i + 10) % 16)) - 0.9375f;
+    at *= 0.5566f + 0.507f * at * at;
+    return count > 1 ? at.x * pixel.dx + at.y * pixel.dy : gabor_vec2(0.0f);
+}
+
+// A value with derivatives, at an offset.
+GABOR_INLINE gabor_vec3 gabor_impl_moved(gabor_vec3 a, gabor_vec2 offset) {
+    return gabor_vec3(a.x + gabor_cpp_dot(a.yz(), offset), a.yz());
+}
+
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
+// squares, and becomes their covariance, which fades to `square`.
+GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int count, float kept, float mean, gabor_vec3 square) {
+    height = kept / float(count) * height + gabor_vec3((1.0f - kept) * mean, 0.0f, 0.0f);
+    lost = count > 1 ? gabor_cpp_mix(square, lost / float(count), kept) - gabor_impl_square(height.yz()) : gabor_vec3(0.0f);
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
 
 GABOR_INLINE GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
     return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), seed, 0);
@@ -790,28 +818,38 @@ GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, g
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
 GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborFabric fabric, GaborPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
-    gabor_vec3 one = gabor_vec3(1.0f, 0.0f, 0.0f), x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y);
-    x += 0.13f * uneven * of.a.first;
-    y += 0.13f * uneven * of.b.first;
-    float parity = gabor_cpp_fract(0.5f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x))) > 0.25f ? -1.0f : 1.0f;
-    x.x -= gabor_cpp_floor(x.x) + 0.5f;
-    y.x -= gabor_cpp_floor(y.x) + 0.5f;
-    gabor_vec3 along_y = gabor_impl_thread(x, one + 0.16f * uneven * of.a.second, y, parity);
-    gabor_vec3 along_x = gabor_impl_thread(y, one + 0.16f * uneven * of.b.second, x, -parity);
-    bool first = along_y.x > along_x.x;
-    gabor_vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
-    gabor_vec3 lost = first ? of.c.lost : of.d.lost;
-    if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
-    gabor_vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
-                                 0.09f * uneven)
-               + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12f);
-    float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top.x), kept);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
-                      gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept)) * gabor_cpp_mix(0.18f, 1.0f, light);
-    gabor_vec3 height = gabor_vec3(gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top.x, kept), kept * top.yz());
-    height = unit * (0.3f * height + 0.035f * fibre);
-    lost = unit * unit * (0.29f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 0.001225f * lost);
+    gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0f - gabor_cpp_smoothstep(0.3f, 0.7f, spread);
+    at_x += 0.13f * uneven * of.a.first;
+    at_y += 0.13f * uneven * of.b.first;
+    gabor_vec2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09f * uneven)
+                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12f);
+    gabor_vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09f * uneven)
+                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12f);
+    gabor_vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
+        gabor_vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float parity = gabor_cpp_fract(0.5f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x))) > 0.25f ? -1.0f : 1.0f;
+        x.x -= gabor_cpp_floor(x.x) + 0.5f;
+        y.x -= gabor_cpp_floor(y.x) + 0.5f;
+        gabor_vec3 along_y = gabor_impl_thread(x, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.a.second, y, parity);
+        gabor_vec3 along_x = gabor_impl_thread(y, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.b.second, x, -parity);
+        bool first = along_y.x > along_x.x;
+        gabor_vec3 top = first ? along_y : along_x;
+        if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
+        colour += gabor_cpp_mix(0.18f, 1.0f, gabor_cpp_smoothstep(-1.3f, 0.5f, top.x)) * (first ? warp : weft);
+        top = 0.3f * top + 0.035f * (first ? of.c.second : of.d.second);
+        height += top;
+        lost += gabor_impl_square(top.yz());
+    }
+    float light = 0.8828f - 0.0056f * uneven * uneven, tall = 0.0406f + 0.0025f * uneven * uneven;
+    gabor_impl_average(height, lost, samples, kept, tall, gabor_vec3(0.29f * count * count, 0.0f));
+    colour = gabor_cpp_mix(0.5f * light * (warp + weft), colour / float(samples), kept);
+    height *= unit;
+    lost = unit * unit * (lost + 0.0006125f * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
         gabor_vec3 at = cords * gabor_impl_along_x(cloth);
@@ -851,25 +889,36 @@ GABOR_INLINE GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, gabor_vec
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborCarbonFibre fibres,
                                       GaborPairs of) {
-    gabor_vec3 x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y), unit = fibres.relief / fibres.tows;
-    float turn = 4.0f * gabor_cpp_fract(0.25f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x)) + 0.125f) - 0.5f; // 0 to 3
-    x.x -= gabor_cpp_floor(x.x);
-    y.x -= gabor_cpp_floor(y.x);
-    bool first = turn < 1.5f;
-    gabor_vec3 fibre = first ? of.a.first : of.b.first, lost = first ? of.a.lost : of.b.lost;
-    gabor_vec3 along = 0.5f * (first ? y : x), across = 2.0f * (first ? x : y);
-    along.x += gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 0.5f; // from 0 to 1 over two rows
-    across.x -= 1.0f;
-    float cube = across.x * across.x * across.x, arch = 1.0f - cube * across.x;
-    gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
-    gabor_vec3 bulge = gabor_vec3(gabor_cpp_mix(0.5093f, wave.y * arch, kept),
-                      kept * (3.1415927f * arch * wave.x * along.yz() - 4.0f * cube * wave.y * across.yz()));
-    gabor_vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
-    gabor_vec3 colour = (0.35f + 0.65f * bulge.x) * gabor_impl_toned(fibres.colour, tone);
-    // The mean square of the bulge's slope, over tows along x and y, is 2.72.
-    lost = unit * unit * (0.0256f * 2.72f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 3.6e-5f * lost);
-    return gabor_impl_material(colour, unit * (0.16f * bulge + 0.006f * fibre), lost, fibres.roughness, 0.0f);
+    gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
+    float unit = fibres.relief / fibres.tows;
+    gabor_vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
+    gabor_vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
+        gabor_vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float turn = 4.0f * gabor_cpp_fract(0.25f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x)) + 0.125f) - 0.5f; // 0 to 3
+        x.x -= gabor_cpp_floor(x.x);
+        y.x -= gabor_cpp_floor(y.x);
+        bool first = turn < 1.5f;
+        gabor_vec3 along = 0.5f * (first ? y : x), across = 2.0f * (first ? x : y);
+        along.x += gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 0.5f; // from 0 to 1 over two rows
+        across.x -= 1.0f;
+        float cube = across.x * across.x * across.x, arch = 1.0f - cube * across.x;
+        gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
+        gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 4.0f * cube * wave.y * across.yz());
+        colour += (0.35f + 0.65f * bulge.x) * (first ? warp : weft);
+        bulge = 0.16f * bulge + 0.006f * (first ? of.a.first : of.b.first);
+        height += bulge;
+        lost += gabor_impl_square(bulge.yz());
+    }
+    // The bulge's mean is 0.5093, and its slope's mean square, over tows along x and y, 2.72.
+    gabor_impl_average(height, lost, samples, kept, 0.081488f, 0.0256f * 2.72f * gabor_vec3(count * count, 0.0f));
+    colour = gabor_cpp_mix(0.340523f * (warp + weft), colour / float(samples), kept);
+    lost = unit * unit * (lost + 1.8e-5f * (of.a.lost + of.b.lost));
+    return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period, GaborCarbonFibre fibres, std::uint32_t seed) {
@@ -899,40 +948,57 @@ GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborW
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
 
-// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
-struct GaborCrest {
-    gabor_vec3 cosine;
-    gabor_vec3 sine;
-    gabor_vec3 share;
-};
+// The wave vector of a layer in turns per unit of p.
+GABOR_INLINE gabor_vec2 gabor_impl_turns(GaborLayer layer) {
+    gabor_vec2 wave = layer.density * layer.wave;
+    return gabor_vec2(gabor_cpp_dot(wave, layer.at.x), gabor_cpp_dot(wave, layer.at.y));
+}
 
-GABOR_INLINE GaborCrest gabor_impl_crest(GaborPair wave) {
-    float power = wave.first.x * wave.first.x + wave.second.x * wave.second.x, whole = power + 2.5f * wave.removed;
-    gabor_vec2 change = 2.0f * (wave.first.x * wave.first.yz() + wave.second.x * wave.second.yz());
-    gabor_vec3 unit = gabor_cpp_inversesqrt(power + 0.12f) * gabor_vec3(1.0f, -0.5f / (power + 0.12f) * change);
-    return GaborCrest{gabor_impl_times(wave.first, unit), gabor_impl_times(wave.second, unit),
-                      gabor_vec3(power, 2.5f * wave.removed / whole * change) / whole};
+// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
+GABOR_INLINE GaborPair gabor_impl_moved_waves(GaborPair pair, gabor_vec2 turns, gabor_vec2 offset) {
+    gabor_vec2 turn = gabor_impl_wave(gabor_cpp_dot(turns, offset)), whole = 6.2831853f * turns;
+    gabor_vec3 a = gabor_impl_moved(pair.first + gabor_vec3(0.0f, pair.second.x * whole), offset);
+    gabor_vec3 b = gabor_impl_moved(pair.second - gabor_vec3(0.0f, pair.first.x * whole), offset);
+    gabor_vec3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
+    return GaborPair{first - gabor_vec3(0.0f, second.x * whole), second + gabor_vec3(0.0f, first.x * whole), 0.0f, gabor_vec3(0.0f)};
+}
+
+// Brings the waves of a pair near length 1: their cosine and sine.
+GABOR_INLINE void gabor_impl_crest(GaborPair waves, gabor_vec3& cosine, gabor_vec3& sine) {
+    float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12f;
+    gabor_vec2 change = waves.first.x * waves.first.yz() + waves.second.x * waves.second.yz();
+    gabor_vec3 unit = gabor_cpp_inversesqrt(power) * gabor_vec3(1.0f, -1.0f / power * change);
+    cosine = gabor_impl_times(waves.first, unit);
+    sine = gabor_impl_times(waves.second, unit);
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GABOR_INLINE GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
-    GaborCrest a = gabor_impl_crest(of.c), b = gabor_impl_crest(of.d);
-    gabor_vec3 one = gabor_vec3(1.0f, 0.0f, 0.0f), shares = gabor_impl_times(a.share, b.share);
-    gabor_vec3 cells = a.cosine + b.cosine + gabor_impl_times(a.cosine, b.cosine) - gabor_impl_times(a.sine, b.sine);
-    float root = gabor_cpp_sqrt(shares.x); // `cells` is 3 in the middle of a cell, -1.5 in a corner
-    gabor_vec3 kept = gabor_vec3(root, 0.5f / gabor_cpp_max(root, 1.0e-6f) * shares.yz()), blur = one - kept;
-    gabor_vec3 pebble = gabor_impl_step(-1.45f * one - blur, -0.55f * one + blur, cells + 0.1f * of.a.second) - 0.806f * one;
-    gabor_vec3 dome = gabor_impl_step(-one, 3.0f * one, cells) - 0.236f * one;
-    pebble = 0.806f * one + gabor_impl_times(kept, pebble);
-    dome = 0.236f * one + gabor_impl_times(kept, dome);
+GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, gabor_vec2 turns_a, gabor_vec2 turns_b, GaborPairs of) {
+    float spread = gabor_impl_pixel_spread(pixel, gabor_vec3(0.0f, turns_a), gabor_vec3(0.0f, turns_b));
+    float kept = 1.0f - gabor_cpp_smoothstep(0.4f, 0.8f, spread), share = 0.0f;
+    gabor_vec3 height = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
+        gabor_vec3 a, b, sine_a, sine_b;
+        gabor_impl_crest(gabor_impl_moved_waves(of.c, turns_a, offset), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.d, turns_b, offset), b, sine_b);
+        // 3 in the middle of a cell, -1.5 in a corner
+        gabor_vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
+        gabor_vec3 pebble = gabor_impl_step(-1.45f, -0.55f, cells + 0.1f * of.a.second);
+        share += pebble.x;
+        gabor_vec3 relief = 0.016f * pebble + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells) + 0.0016f * of.a.second;
+        height += relief;
+        lost += gabor_impl_square(relief.yz());
+    }
+    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.00287f, 0.0026f, 0.0f);
+    gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
+    share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
-    gabor_vec3 height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * of.a.second);
-    float gone = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x));
-    gabor_vec3 lost = gone * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
-                               leather.roughness + 0.15f * (1.0f - pebble.x), 0.0f);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    lost = leather.relief * leather.relief * (lost + 2.56e-6f * of.a.lost);
+    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
@@ -942,9 +1008,11 @@ GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, Gab
     for (int i = 0; i < 3; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
@@ -1312,12 +1380,11 @@ GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-    for (int i = 4; i < 6; ++i) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-        if (i == 4) of.c = pair;
-        else of.d = pair;
-    }
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
@@ -1405,7 +1472,7 @@ GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 
 GABOR_INLINE float gabor_roughness(GaborMaterial material) {
     float alpha = material.roughness * material.roughness;
-    return gabor_cpp_sqrt(gabor_cpp_sqrt(gabor_cpp_min(alpha * alpha + material.lost.x + material.lost.y, 1.0f)));
+    return gabor_cpp_sqrt(gabor_cpp_sqrt(gabor_cpp_min(alpha * alpha + 0.61f * (material.lost.x + material.lost.y), 1.0f)));
 }
 
 GABOR_INLINE GaborWood gabor_wood_default() {

@@ -46,8 +46,9 @@ struct GaborMaterial {
 };
 
 // float gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
-//     variance of the removed slopes.
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
+//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
+//     entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -192,7 +193,7 @@ struct GaborStrata {
 // functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
-// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// unfiltered colour at every distance. Leather and the weaves average samples, and fade to a measured mean.
 //
 // The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
@@ -702,10 +703,9 @@ inline float gabor_impl_rise_lost(float phase, float span, float full) {
 }
 
 // A smoothstep from `low` to `high`.
-inline float3 gabor_impl_step(float3 low, float3 high, float3 x) {
-    float width = high.x - low.x, t = clamp((x.x - low.x) / width, 0.0, 1.0);
-    float2 slope = (x.yz - low.yz - t * (high.yz - low.yz)) / width;
-    return float3(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * slope);
+inline float3 gabor_impl_step(float low, float high, float3 x) {
+    float t = clamp((x.x - low) / (high - low), 0.0, 1.0);
+    return float3(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low) * x.yz);
 }
 
 inline GaborMaterial gabor_impl_material(float3 colour, float3 height, float3 lost, float roughness, float metalness) {
@@ -761,12 +761,40 @@ inline GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint
     return gabor_impl_wood(pixel, board, wood, of, seed);
 }
 
-// ---- Weaves --------------------------------------------------------------------------------------------------------
+// ---- Samples -------------------------------------------------------------------------------------------------------
+//
+// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
-inline float gabor_impl_weave_kept(GaborPixel pixel, float3 x, float3 y) {
-    return exp(-min(2.5 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)), 40.0));
+// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
+inline float gabor_impl_pixel_spread(GaborPixel pixel, float3 x, float3 y) {
+    return sqrt(0.125 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)));
 }
+
+// The number of samples for that standard deviation.
+inline int gabor_impl_samples(float spread) {
+    return spread > 0.001 ? 16 : 1;
+}
+
+// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
+inline float2 gabor_impl_sample(GaborPixel pixel, int i, int count) {
+    float2 at = 0.125 * float2(float(i), float((7 * i + 10) % 16)) - 0.9375;
+    at *= 0.5566 + 0.507 * at * at;
+    return count > 1 ? at.x * pixel.dx + at.y * pixel.dy : float2(0.0);
+}
+
+// A value with derivatives, at an offset.
+inline float3 gabor_impl_moved(float3 a, float2 offset) {
+    return float3(a.x + dot(a.yz, offset), a.yz);
+}
+
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
+// squares, and becomes their covariance, which fades to `square`.
+inline void gabor_impl_average(thread float3& height, thread float3& lost, int count, float kept, float mean, float3 square) {
+    height = kept / float(count) * height + float3((1.0 - kept) * mean, 0.0, 0.0);
+    lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : float3(0.0);
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
 
 inline GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), float2(0.7), float2(0.02 * fabric.unevenness), seed, 0);
@@ -791,28 +819,38 @@ inline float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
 inline GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 count, GaborFabric fabric, GaborPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
-    float3 one = float3(1.0, 0.0, 0.0), x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y);
-    x += 0.13 * uneven * of.a.first;
-    y += 0.13 * uneven * of.b.first;
-    float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
-    x.x -= floor(x.x) + 0.5;
-    y.x -= floor(y.x) + 0.5;
-    float3 along_y = gabor_impl_thread(x, one + 0.16 * uneven * of.a.second, y, parity);
-    float3 along_x = gabor_impl_thread(y, one + 0.16 * uneven * of.b.second, x, -parity);
-    bool first = along_y.x > along_x.x;
-    float3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
-    float3 lost = first ? of.c.lost : of.d.lost;
-    if (top.x < -1.3) top = float3(-1.3, 0.0, 0.0);
-    float2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
-                                 0.09 * uneven)
-               + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12);
-    float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top.x), kept);
-    float3 colour = mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
-                      mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
-    float3 height = float3(mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top.x, kept), kept * top.yz);
-    height = unit * (0.3 * height + 0.035 * fibre);
-    lost = unit * unit * (0.29 * (1.0 - kept * kept) * float3(count * count, 0.0) + 0.001225 * lost);
+    float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.3, 0.7, spread);
+    at_x += 0.13 * uneven * of.a.first;
+    at_y += 0.13 * uneven * of.b.first;
+    float2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
+    float2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
+    float3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        float2 offset = gabor_impl_sample(pixel, i, samples);
+        float3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
+        x.x -= floor(x.x) + 0.5;
+        y.x -= floor(y.x) + 0.5;
+        float3 along_y = gabor_impl_thread(x, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, parity);
+        float3 along_x = gabor_impl_thread(y, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -parity);
+        bool first = along_y.x > along_x.x;
+        float3 top = first ? along_y : along_x;
+        if (top.x < -1.3) top = float3(-1.3, 0.0, 0.0);
+        colour += mix(0.18, 1.0, smoothstep(-1.3, 0.5, top.x)) * (first ? warp : weft);
+        top = 0.3 * top + 0.035 * (first ? of.c.second : of.d.second);
+        height += top;
+        lost += gabor_impl_square(top.yz);
+    }
+    float light = 0.8828 - 0.0056 * uneven * uneven, tall = 0.0406 + 0.0025 * uneven * uneven;
+    gabor_impl_average(height, lost, samples, kept, tall, float3(0.29 * count * count, 0.0));
+    colour = mix(0.5 * light * (warp + weft), colour / float(samples), kept);
+    height *= unit;
+    lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
         float3 at = cords * gabor_impl_along_x(cloth);
@@ -852,25 +890,36 @@ inline GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, float2 count, u
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, float2 count, GaborCarbonFibre fibres,
                                       GaborPairs of) {
-    float3 x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
-    float kept = gabor_impl_weave_kept(pixel, x, y), unit = fibres.relief / fibres.tows;
-    float turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
-    x.x -= floor(x.x);
-    y.x -= floor(y.x);
-    bool first = turn < 1.5;
-    float3 fibre = first ? of.a.first : of.b.first, lost = first ? of.a.lost : of.b.lost;
-    float3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
-    along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
-    across.x -= 1.0;
-    float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
-    float2 wave = float2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
-    float3 bulge = float3(mix(0.5093, wave.y * arch, kept),
-                      kept * (3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz));
-    float2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
-    float3 colour = (0.35 + 0.65 * bulge.x) * gabor_impl_toned(fibres.colour, tone);
-    // The mean square of the bulge's slope, over tows along x and y, is 2.72.
-    lost = unit * unit * (0.0256 * 2.72 * (1.0 - kept * kept) * float3(count * count, 0.0) + 3.6e-5 * lost);
-    return gabor_impl_material(colour, unit * (0.16 * bulge + 0.006 * fibre), lost, fibres.roughness, 0.0);
+    float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
+    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    float unit = fibres.relief / fibres.tows;
+    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
+    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        float2 offset = gabor_impl_sample(pixel, i, samples);
+        float3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
+        x.x -= floor(x.x);
+        y.x -= floor(y.x);
+        bool first = turn < 1.5;
+        float3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
+        along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
+        across.x -= 1.0;
+        float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
+        float2 wave = float2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+        float3 bulge = float3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz);
+        colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
+        bulge = 0.16 * bulge + 0.006 * (first ? of.a.first : of.b.first);
+        height += bulge;
+        lost += gabor_impl_square(bulge.yz);
+    }
+    // The bulge's mean is 0.5093, and its slope's mean square, over tows along x and y, 2.72.
+    gabor_impl_average(height, lost, samples, kept, 0.081488, 0.0256 * 2.72 * float3(count * count, 0.0));
+    colour = mix(0.340523 * (warp + weft), colour / float(samples), kept);
+    lost = unit * unit * (lost + 1.8e-5 * (of.a.lost + of.b.lost));
+    return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
 inline GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fibres, uint seed) {
@@ -900,40 +949,57 @@ inline GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped 
     return gabor_impl_waves_layer(i - 2, skin, float2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
-// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
-struct GaborCrest {
-    float3 cosine;
-    float3 sine;
-    float3 share;
-};
+// The wave vector of a layer in turns per unit of p.
+inline float2 gabor_impl_turns(GaborLayer layer) {
+    float2 wave = layer.density * layer.wave;
+    return float2(dot(wave, layer.at.x), dot(wave, layer.at.y));
+}
 
-inline GaborCrest gabor_impl_crest(GaborPair wave) {
-    float power = wave.first.x * wave.first.x + wave.second.x * wave.second.x, whole = power + 2.5 * wave.removed;
-    float2 change = 2.0 * (wave.first.x * wave.first.yz + wave.second.x * wave.second.yz);
-    float3 unit = rsqrt(power + 0.12) * float3(1.0, -0.5 / (power + 0.12) * change);
-    return GaborCrest{gabor_impl_times(wave.first, unit), gabor_impl_times(wave.second, unit),
-                      float3(power, 2.5 * wave.removed / whole * change) / whole};
+// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
+inline GaborPair gabor_impl_moved_waves(GaborPair pair, float2 turns, float2 offset) {
+    float2 turn = gabor_impl_wave(dot(turns, offset)), whole = 6.2831853 * turns;
+    float3 a = gabor_impl_moved(pair.first + float3(0.0, pair.second.x * whole), offset);
+    float3 b = gabor_impl_moved(pair.second - float3(0.0, pair.first.x * whole), offset);
+    float3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
+    return GaborPair{first - float3(0.0, second.x * whole), second + float3(0.0, first.x * whole), 0.0, float3(0.0)};
+}
+
+// Brings the waves of a pair near length 1: their cosine and sine.
+inline void gabor_impl_crest(GaborPair waves, thread float3& cosine, thread float3& sine) {
+    float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12;
+    float2 change = waves.first.x * waves.first.yz + waves.second.x * waves.second.yz;
+    float3 unit = rsqrt(power) * float3(1.0, -1.0 / power * change);
+    cosine = gabor_impl_times(waves.first, unit);
+    sine = gabor_impl_times(waves.second, unit);
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-inline GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
-    GaborCrest a = gabor_impl_crest(of.c), b = gabor_impl_crest(of.d);
-    float3 one = float3(1.0, 0.0, 0.0), shares = gabor_impl_times(a.share, b.share);
-    float3 cells = a.cosine + b.cosine + gabor_impl_times(a.cosine, b.cosine) - gabor_impl_times(a.sine, b.sine);
-    float root = sqrt(shares.x); // `cells` is 3 in the middle of a cell, -1.5 in a corner
-    float3 kept = float3(root, 0.5 / max(root, 1.0e-6) * shares.yz), blur = one - kept;
-    float3 pebble = gabor_impl_step(-1.45 * one - blur, -0.55 * one + blur, cells + 0.1 * of.a.second) - 0.806 * one;
-    float3 dome = gabor_impl_step(-one, 3.0 * one, cells) - 0.236 * one;
-    pebble = 0.806 * one + gabor_impl_times(kept, pebble);
-    dome = 0.236 * one + gabor_impl_times(kept, dome);
+inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, float2 turns_a, float2 turns_b, GaborPairs of) {
+    float spread = gabor_impl_pixel_spread(pixel, float3(0.0, turns_a), float3(0.0, turns_b));
+    float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0;
+    float3 height = float3(0.0), lost = float3(0.0);
+    int samples = gabor_impl_samples(spread);
+    for (int i = 0; i < samples; ++i) {
+        float2 offset = gabor_impl_sample(pixel, i, samples);
+        float3 a, b, sine_a, sine_b;
+        gabor_impl_crest(gabor_impl_moved_waves(of.c, turns_a, offset), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.d, turns_b, offset), b, sine_b);
+        // 3 in the middle of a cell, -1.5 in a corner
+        float3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
+        float3 pebble = gabor_impl_step(-1.45, -0.55, cells + 0.1 * of.a.second);
+        share += pebble.x;
+        float3 relief = 0.016 * pebble + 0.013 * gabor_impl_step(-1.0, 3.0, cells) + 0.0016 * of.a.second;
+        height += relief;
+        lost += gabor_impl_square(relief.yz);
+    }
+    float3 square = leather.cells * leather.cells * float3(0.00287, 0.0026, 0.0);
+    gabor_impl_average(height, lost, samples, kept, 0.015964, square);
+    share = mix(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
-    float3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
-    float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
-    float3 lost = gone * float3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
-    float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
-                               leather.roughness + 0.15 * (1.0 - pebble.x), 0.0);
+    float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    lost = leather.relief * leather.relief * (lost + 2.56e-6 * of.a.lost);
+    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 inline GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leather, uint seed) {
@@ -943,9 +1009,11 @@ inline GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leat
     for (int i = 0; i < 3; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
@@ -1313,12 +1381,11 @@ inline GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, f
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-    for (int i = 4; i < 6; ++i) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-        if (i == 4) of.c = pair;
-        else of.d = pair;
-    }
-    return gabor_impl_leather(leather, of);
+    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
+    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
+    of.c = gabor_impl_waves_pair(a);
+    of.d = gabor_impl_waves_pair(b);
+    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
 }
 
 inline GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborMarble marble, uint seed) {
@@ -1406,7 +1473,7 @@ inline GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, fl
 
 inline float gabor_roughness(GaborMaterial material) {
     float alpha = material.roughness * material.roughness;
-    return sqrt(sqrt(min(alpha * alpha + material.lost.x + material.lost.y, 1.0)));
+    return sqrt(sqrt(min(alpha * alpha + 0.61 * (material.lost.x + material.lost.y), 1.0)));
 }
 
 inline GaborWood gabor_wood_default() {

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 87dd81270e5b1e0b.
+// naga 30.0.1 made it from GLSL with the digest 5636905e89f45237.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -34,8 +34,9 @@ struct GaborMaterial {
 }
 
 // f32 gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
-//     variance of the removed slopes.
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
+//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
+//     entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -180,7 +181,7 @@ struct GaborStrata {
 // functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
-// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// unfiltered colour at every distance. Leather and the weaves average samples, and fade to a measured mean.
 //
 // The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
@@ -1505,24 +1506,16 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
 }
 
 // A smoothstep from `low` to `high`.
-fn gabor_impl_step(low: vec3<f32>, high: vec3<f32>, x: vec3<f32>) -> vec3<f32> {
-    var width_7: f32;
+fn gabor_impl_step(low: f32, high: f32, x: vec3<f32>) -> vec3<f32> {
     var t_12: f32;
-    var slope_14: vec2<f32>;
-    width_7 = (high.x - low.x);
-    let _e10 = width_7;
-    t_12 = clamp(((x.x - low.x) / _e10), 0f, 1f);
-    let _e19 = t_12;
-    let _e25 = width_7;
-    slope_14 = (((x.yz - low.yz) - (_e19 * (high.yz - low.yz))) / vec2(_e25));
-    let _e29 = t_12;
-    let _e30 = t_12;
-    let _e34 = t_12;
-    let _e39 = t_12;
-    let _e42 = t_12;
-    let _e45 = slope_14;
-    let _e46 = (((6f * _e39) * (1f - _e42)) * _e45);
-    return vec3<f32>(((_e29 * _e30) * (3f - (2f * _e34))), _e46.x, _e46.y);
+    t_12 = clamp(((x.x - low) / (high - low)), 0f, 1f);
+    let _e11 = t_12;
+    let _e12 = t_12;
+    let _e16 = t_12;
+    let _e21 = t_12;
+    let _e24 = t_12;
+    let _e30 = ((((6f * _e21) * (1f - _e24)) / (high - low)) * x.yz);
+    return vec3<f32>(((_e11 * _e12) * (3f - (2f * _e16))), _e30.x, _e30.y);
 }
 
 fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, roughness: f32, metalness: f32) -> GaborMaterial {
@@ -1679,14 +1672,75 @@ fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) ->
     return _e36;
 }
 
-// ---- Weaves --------------------------------------------------------------------------------------------------------
+// ---- Samples -------------------------------------------------------------------------------------------------------
+//
+// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
-fn gabor_impl_weave_kept(pixel: GaborPixel, x: vec3<f32>, y: vec3<f32>) -> f32 {
+// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
+fn gabor_impl_pixel_spread(pixel: GaborPixel, x: vec3<f32>, y: vec3<f32>) -> f32 {
     let _e4 = gabor_impl_steps(pixel, x);
     let _e5 = gabor_impl_steps(pixel, y);
-    return exp(-(min((2.5f * (_e4 + _e5)), 40f)));
+    return sqrt((0.125f * (_e4 + _e5)));
 }
+
+// The number of samples for that standard deviation.
+fn gabor_impl_samples(spread: f32) -> i32 {
+    var local_37: i32;
+    if (spread > 0.001f) {
+        local_37 = 16i;
+    } else {
+        local_37 = 1i;
+    }
+    let _e6 = local_37;
+    return _e6;
+}
+
+// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
+fn gabor_impl_sample(pixel: GaborPixel, i: i32, count: i32) -> vec2<f32> {
+    var at_9: vec2<f32>;
+    var local_38: vec2<f32>;
+    at_9 = ((0.125f * vec2<f32>(f32(i), f32((((7i * i) + 10i) % 16i)))) - vec2(0.9375f));
+    let _e18 = at_9;
+    let _e21 = at_9;
+    let _e23 = at_9;
+    at_9 = (_e18 * (vec2(0.5566f) + ((0.507f * _e21) * _e23)));
+    if (count > 1i) {
+        let _e30 = at_9;
+        let _e34 = at_9;
+        local_38 = ((_e30.x * pixel.dx) + (_e34.y * pixel.dy));
+    } else {
+        local_38 = vec2(0f);
+    }
+    let _e42 = local_38;
+    return _e42;
+}
+
+// A value with derivatives, at an offset.
+fn gabor_impl_moved(a: vec3<f32>, offset: vec2<f32>) -> vec3<f32> {
+    let _e6 = a.yz;
+    return vec3<f32>((a.x + dot(a.yz, offset)), _e6.x, _e6.y);
+}
+
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
+// squares, and becomes their covariance, which fades to `square`.
+fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3<f32>>, count: i32, kept: f32, mean: f32, square: vec3<f32>) {
+    var local_39: vec3<f32>;
+    let _e8 = (*height);
+    (*height) = (((kept / f32(count)) * _e8) + vec3<f32>(((1f - kept) * mean), 0f, 0f));
+    if (count > 1i) {
+        let _e19 = (*lost);
+        let _e25 = (*height);
+        let _e27 = gabor_impl_square(_e25.yz);
+        local_39 = (mix(square, (_e19 / vec3(f32(count))), vec3(kept)) - _e27);
+    } else {
+        local_39 = vec3(0f);
+    }
+    let _e32 = local_39;
+    (*lost) = _e32;
+    return;
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborWarped {
     let _e3 = gabor_impl_unwarped(pixel);
@@ -1696,28 +1750,28 @@ fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborW
 
 // The thickness and course of threads along y and x, and their fibres.
 fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_37: vec2<f32>;
-    var local_38: vec2<f32>;
-    var local_39: vec2<f32>;
+    var local_40: vec2<f32>;
+    var local_41: vec2<f32>;
+    var local_42: vec2<f32>;
     var density_6: vec2<f32>;
     if (i == 0i) {
-        local_39 = vec2<f32>((0.7f * count.x), 1.1f);
+        local_42 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
         if (i == 1i) {
-            local_38 = vec2<f32>(1.1f, (0.7f * count.y));
+            local_41 = vec2<f32>(1.1f, (0.7f * count.y));
         } else {
             if (i == 2i) {
-                local_37 = (vec2<f32>(14f, 2f) * count);
+                local_40 = (vec2<f32>(14f, 2f) * count);
             } else {
-                local_37 = (vec2<f32>(2f, 14f) * count);
+                local_40 = (vec2<f32>(2f, 14f) * count);
             }
-            let _e29 = local_37;
-            local_38 = _e29;
+            let _e29 = local_40;
+            local_41 = _e29;
         }
-        let _e31 = local_38;
-        local_39 = _e31;
+        let _e31 = local_41;
+        local_42 = _e31;
     }
-    let _e33 = local_39;
+    let _e33 = local_42;
     density_6 = _e33;
     let _e35 = density_6;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
@@ -1726,35 +1780,35 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
 
 // The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32) -> vec3<f32> {
-    var square_3: f32;
+    var square_4: f32;
     var side_2: f32;
     var turn_12: f32;
-    var slope_15: vec2<f32>;
-    var local_40: f32;
-    var local_41: vec2<f32>;
-    square_3 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
-    let _e14 = square_3;
+    var slope_14: vec2<f32>;
+    var local_43: f32;
+    var local_44: vec2<f32>;
+    square_4 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
+    let _e14 = square_4;
     side_2 = sqrt(max(_e14, 0f));
     turn_12 = (3.1415927f * along.x);
     let _e32 = side_2;
-    slope_15 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e32, 0.05f)));
+    slope_14 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e32, 0.05f)));
     let _e38 = side_2;
-    let _e39 = square_3;
+    let _e39 = square_4;
     if (_e39 < 0f) {
-        local_40 = 2f;
+        local_43 = 2f;
     } else {
-        local_40 = 1f;
+        local_43 = 1f;
     }
-    let _e45 = local_40;
+    let _e45 = local_43;
     let _e49 = turn_12;
-    let _e53 = square_3;
+    let _e53 = square_4;
     if (_e53 < 0f) {
-        local_41 = vec2(0f);
+        local_44 = vec2(0f);
     } else {
-        let _e58 = slope_15;
-        local_41 = _e58;
+        let _e58 = slope_14;
+        local_44 = _e58;
     }
-    let _e60 = local_41;
+    let _e60 = local_44;
     let _e63 = turn_12;
     let _e68 = (_e60 - (((1.727876f * bend) * sin(_e63)) * along.yz));
     return vec3<f32>(((_e38 - _e45) + ((0.55f * bend) * cos(_e49))), _e68.x, _e68.y);
@@ -1764,31 +1818,35 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
 fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
     var uneven: f32;
     var unit_5: f32;
-    var one: vec3<f32> = vec3<f32>(1f, 0f, 0f);
+    var at_x: vec3<f32>;
+    var at_y: vec3<f32>;
+    var spread_2: f32;
+    var kept_4: f32;
+    var warp_tones: vec2<f32>;
+    var weft_tones: vec2<f32>;
+    var warp: vec3<f32>;
+    var weft: vec3<f32>;
+    var height_3: vec3<f32> = vec3(0f);
+    var colour_3: vec3<f32> = vec3(0f);
+    var lost_6: vec3<f32> = vec3(0f);
+    var samples: i32;
+    var i_13: i32 = 0i;
+    var offset_3: vec2<f32>;
     var x_27: vec3<f32>;
     var y_19: vec3<f32>;
-    var kept_3: f32;
-    var local_42: f32;
+    var local_45: f32;
     var parity: f32;
     var along_y_6: vec3<f32>;
     var along_x_4: vec3<f32>;
     var first_3: bool;
-    var local_43: vec3<f32>;
+    var local_46: vec3<f32>;
     var top: vec3<f32>;
-    var local_44: vec3<f32>;
-    var fibre: vec3<f32>;
-    var local_45: vec3<f32>;
-    var lost_5: vec3<f32>;
-    var local_46: f32;
-    var local_47: f32;
-    var local_48: f32;
-    var tones_1: vec2<f32>;
+    var local_47: vec3<f32>;
+    var local_48: vec3<f32>;
     var light: f32;
-    var local_49: f32;
-    var colour_3: vec3<f32>;
-    var height_2: vec3<f32>;
+    var tall: f32;
     var cords: f32;
-    var at_9: vec3<f32>;
+    var at_10: vec3<f32>;
     var damped_2: f32;
     var half_cord: f32;
     var second_3: f32;
@@ -1798,245 +1856,260 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var swing: f32;
     uneven = fabric.unevenness;
     unit_5 = (fabric.relief / fabric.threads);
-    let _e17 = gabor_impl_along_x(cloth);
-    x_27 = (count.x * _e17);
-    let _e21 = gabor_impl_along_y(cloth);
-    y_19 = (count.y * _e21);
-    let _e24 = x_27;
-    let _e25 = y_19;
-    let _e26 = gabor_impl_weave_kept(pixel, _e24, _e25);
-    kept_3 = _e26;
-    let _e28 = x_27;
-    let _e30 = uneven;
-    x_27 = (_e28 + ((0.13f * _e30) * of_.a.first));
-    let _e36 = y_19;
-    let _e38 = uneven;
-    y_19 = (_e36 + ((0.13f * _e38) * of_.b.first));
-    let _e45 = x_27;
-    let _e48 = y_19;
-    if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
-        local_42 = -1f;
-    } else {
-        local_42 = 1f;
-    }
-    let _e60 = local_42;
-    parity = _e60;
-    let _e63 = x_27;
-    let _e65 = x_27;
-    x_27.x = (_e63.x - (floor(_e65.x) + 0.5f));
-    let _e72 = y_19;
-    let _e74 = y_19;
-    y_19.x = (_e72.x - (floor(_e74.x) + 0.5f));
-    let _e80 = x_27;
-    let _e81 = one;
-    let _e83 = uneven;
-    let _e89 = y_19;
-    let _e90 = parity;
-    let _e91 = gabor_impl_thread(_e80, (_e81 + ((0.16f * _e83) * of_.a.second)), _e89, _e90);
-    along_y_6 = _e91;
-    let _e93 = y_19;
-    let _e94 = one;
-    let _e96 = uneven;
-    let _e102 = x_27;
-    let _e103 = parity;
-    let _e105 = gabor_impl_thread(_e93, (_e94 + ((0.16f * _e96) * of_.b.second)), _e102, -(_e103));
-    along_x_4 = _e105;
-    let _e107 = along_y_6;
-    let _e109 = along_x_4;
-    first_3 = (_e107.x > _e109.x);
-    let _e113 = first_3;
-    if _e113 {
-        let _e114 = along_y_6;
-        local_43 = _e114;
-    } else {
-        let _e115 = along_x_4;
-        local_43 = _e115;
-    }
-    let _e117 = local_43;
-    top = _e117;
-    let _e119 = first_3;
-    if _e119 {
-        local_44 = of_.c.second;
-    } else {
-        local_44 = of_.d.second;
-    }
-    let _e125 = local_44;
-    fibre = _e125;
-    let _e127 = first_3;
-    if _e127 {
-        local_45 = of_.c.lost;
-    } else {
-        local_45 = of_.d.lost;
-    }
-    let _e133 = local_45;
-    lost_5 = _e133;
-    let _e135 = top;
-    if (_e135.x < -1.3f) {
-        top = vec3<f32>(-1.3f, 0f, 0f);
-    }
-    let _e145 = first_3;
-    if _e145 {
-        local_46 = of_.a.second.x;
-    } else {
-        local_46 = of_.b.second.x;
-    }
-    let _e153 = local_46;
-    let _e154 = first_3;
-    if _e154 {
-        local_47 = of_.a.removed;
-    } else {
-        local_47 = of_.b.removed;
-    }
-    let _e160 = local_47;
-    let _e162 = uneven;
-    let _e164 = gabor_impl_tone(_e153, _e160, (0.09f * _e162));
-    let _e165 = fibre;
-    let _e167 = first_3;
-    if _e167 {
-        local_48 = of_.c.removed;
-    } else {
-        local_48 = of_.d.removed;
-    }
-    let _e173 = local_48;
-    let _e175 = gabor_impl_tone(_e165.x, _e173, 0.12f);
-    tones_1 = (_e164 + _e175);
-    let _e179 = uneven;
-    let _e182 = uneven;
-    let _e190 = top;
-    let _e193 = kept_3;
-    light = mix((0.8572f + (_e179 * (0.005f + (0.0083f * _e182)))), smoothstep(-1.3f, 0.5f, _e190.x), _e193);
-    let _e197 = tones_1;
-    let _e198 = gabor_impl_toned(fabric.weft, _e197);
-    let _e200 = tones_1;
-    let _e201 = gabor_impl_toned(fabric.warp, _e200);
-    let _e203 = first_3;
-    if _e203 {
-        local_49 = 1f;
-    } else {
-        local_49 = 0f;
-    }
-    let _e207 = local_49;
-    let _e208 = kept_3;
-    let _e214 = light;
-    colour_3 = (mix(_e198, _e201, vec3(mix(0.5f, _e207, _e208))) * mix(0.18f, 1f, _e214));
-    let _e219 = uneven;
-    let _e222 = uneven;
-    let _e227 = top;
-    let _e229 = kept_3;
-    let _e231 = kept_3;
-    let _e232 = top;
-    let _e234 = (_e231 * _e232.yz);
-    height_2 = vec3<f32>(mix((0.1352f + (_e219 * (0.0045f + (0.0062f * _e222)))), _e227.x, _e229), _e234.x, _e234.y);
-    let _e239 = unit_5;
-    let _e241 = height_2;
-    let _e244 = fibre;
-    height_2 = (_e239 * ((0.3f * _e241) + (0.035f * _e244)));
-    let _e248 = unit_5;
-    let _e249 = unit_5;
-    let _e253 = kept_3;
-    let _e254 = kept_3;
-    let _e258 = (count * count);
-    let _e265 = lost_5;
-    lost_5 = ((_e248 * _e249) * (((0.29f * (1f - (_e253 * _e254))) * vec3<f32>(_e258.x, _e258.y, 0f)) + (0.001225f * _e265)));
-    if (fabric.cords > 0f) {
+    let _e12 = gabor_impl_along_x(cloth);
+    at_x = (count.x * _e12);
+    let _e16 = gabor_impl_along_y(cloth);
+    at_y = (count.y * _e16);
+    let _e19 = at_x;
+    let _e20 = at_y;
+    let _e21 = gabor_impl_pixel_spread(pixel, _e19, _e20);
+    spread_2 = _e21;
+    let _e26 = spread_2;
+    kept_4 = (1f - smoothstep(0.3f, 0.7f, _e26));
+    let _e30 = at_x;
+    let _e32 = uneven;
+    at_x = (_e30 + ((0.13f * _e32) * of_.a.first));
+    let _e38 = at_y;
+    let _e40 = uneven;
+    at_y = (_e38 + ((0.13f * _e40) * of_.b.first));
+    let _e52 = uneven;
+    let _e54 = gabor_impl_tone(of_.a.first.x, of_.a.removed, (0.09f * _e52));
+    let _e61 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.12f);
+    warp_tones = (_e54 + _e61);
+    let _e70 = uneven;
+    let _e72 = gabor_impl_tone(of_.b.first.x, of_.b.removed, (0.09f * _e70));
+    let _e79 = gabor_impl_tone(of_.d.second.x, of_.d.removed, 0.12f);
+    weft_tones = (_e72 + _e79);
+    let _e83 = warp_tones;
+    let _e84 = gabor_impl_toned(fabric.warp, _e83);
+    warp = _e84;
+    let _e87 = weft_tones;
+    let _e88 = gabor_impl_toned(fabric.weft, _e87);
+    weft = _e88;
+    let _e99 = spread_2;
+    let _e100 = gabor_impl_samples(_e99);
+    samples = _e100;
+    loop {
+        let _e104 = i_13;
+        let _e105 = samples;
+        if !((_e104 < _e105)) {
+            break;
+        }
         {
-            let _e274 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            cords = _e274.x;
-            let _e277 = cords;
-            let _e278 = gabor_impl_along_x(cloth);
-            at_9 = (_e277 * _e278);
-            let _e282 = at_9;
-            let _e283 = gabor_impl_steps(pixel, _e282);
-            damped_2 = exp(-(min((4.934802f * _e283), 20f)));
-            let _e291 = damped_2;
-            half_cord = (0.5f * _e291);
-            let _e295 = damped_2;
-            let _e297 = damped_2;
-            let _e299 = damped_2;
-            let _e301 = damped_2;
-            second_3 = ((((0.125f * _e295) * _e297) * _e299) * _e301);
-            let _e305 = at_9;
-            turn_13 = (6.2831855f * fract(_e305.x));
-            let _e311 = half_cord;
-            let _e312 = turn_13;
-            let _e316 = second_3;
-            let _e318 = turn_13;
-            cord = ((0.625f - (_e311 * cos(_e312))) - (_e316 * cos((2f * _e318))));
-            let _e327 = cords;
-            depth_1 = ((0.3f * fabric.relief) / _e327);
-            let _e330 = depth_1;
-            swing = (_e330 * 6.2831855f);
-            let _e334 = colour_3;
-            let _e337 = cord;
-            colour_3 = (_e334 * mix(0.3f, 1f, _e337));
-            let _e340 = height_2;
-            let _e341 = depth_1;
-            let _e342 = cord;
-            let _e344 = swing;
-            let _e345 = half_cord;
-            let _e346 = turn_13;
-            let _e350 = second_3;
-            let _e353 = turn_13;
-            let _e359 = at_9;
-            let _e361 = ((_e344 * ((_e345 * sin(_e346)) + ((2f * _e350) * sin((2f * _e353))))) * _e359.yz);
-            height_2 = (_e340 + vec3<f32>((_e341 * _e342), _e361.x, _e361.y));
-            let _e366 = lost_5;
-            let _e367 = swing;
-            let _e368 = swing;
-            let _e372 = half_cord;
-            let _e374 = half_cord;
-            let _e378 = second_3;
-            let _e380 = second_3;
-            let _e384 = at_9;
-            let _e386 = gabor_impl_square(_e384.yz);
-            lost_5 = (_e366 + (((_e367 * _e368) * ((0.15625f - ((0.5f * _e372) * _e374)) - ((2f * _e378) * _e380))) * _e386));
+            let _e111 = i_13;
+            let _e112 = samples;
+            let _e113 = gabor_impl_sample(pixel, _e111, _e112);
+            offset_3 = _e113;
+            let _e115 = at_x;
+            let _e116 = offset_3;
+            let _e117 = gabor_impl_moved(_e115, _e116);
+            x_27 = _e117;
+            let _e119 = at_y;
+            let _e120 = offset_3;
+            let _e121 = gabor_impl_moved(_e119, _e120);
+            y_19 = _e121;
+            let _e124 = x_27;
+            let _e127 = y_19;
+            if (fract((0.5f * (floor(_e124.x) + floor(_e127.x)))) > 0.25f) {
+                local_45 = -1f;
+            } else {
+                local_45 = 1f;
+            }
+            let _e139 = local_45;
+            parity = _e139;
+            let _e142 = x_27;
+            let _e144 = x_27;
+            x_27.x = (_e142.x - (floor(_e144.x) + 0.5f));
+            let _e151 = y_19;
+            let _e153 = y_19;
+            y_19.x = (_e151.x - (floor(_e153.x) + 0.5f));
+            let _e159 = x_27;
+            let _e165 = uneven;
+            let _e171 = y_19;
+            let _e172 = parity;
+            let _e173 = gabor_impl_thread(_e159, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e165) * of_.a.second)), _e171, _e172);
+            along_y_6 = _e173;
+            let _e175 = y_19;
+            let _e181 = uneven;
+            let _e187 = x_27;
+            let _e188 = parity;
+            let _e190 = gabor_impl_thread(_e175, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e181) * of_.b.second)), _e187, -(_e188));
+            along_x_4 = _e190;
+            let _e192 = along_y_6;
+            let _e194 = along_x_4;
+            first_3 = (_e192.x > _e194.x);
+            let _e198 = first_3;
+            if _e198 {
+                let _e199 = along_y_6;
+                local_46 = _e199;
+            } else {
+                let _e200 = along_x_4;
+                local_46 = _e200;
+            }
+            let _e202 = local_46;
+            top = _e202;
+            let _e204 = top;
+            if (_e204.x < -1.3f) {
+                top = vec3<f32>(-1.3f, 0f, 0f);
+            }
+            let _e214 = colour_3;
+            let _e220 = top;
+            let _e224 = first_3;
+            if _e224 {
+                let _e225 = warp;
+                local_47 = _e225;
+            } else {
+                let _e226 = weft;
+                local_47 = _e226;
+            }
+            let _e228 = local_47;
+            colour_3 = (_e214 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e220.x)) * _e228));
+            let _e232 = top;
+            let _e235 = first_3;
+            if _e235 {
+                local_48 = of_.c.second;
+            } else {
+                local_48 = of_.d.second;
+            }
+            let _e241 = local_48;
+            top = ((0.3f * _e232) + (0.035f * _e241));
+            let _e244 = height_3;
+            let _e245 = top;
+            height_3 = (_e244 + _e245);
+            let _e247 = lost_6;
+            let _e248 = top;
+            let _e250 = gabor_impl_square(_e248.yz);
+            lost_6 = (_e247 + _e250);
+        }
+        continuing {
+            let _e108 = i_13;
+            i_13 = (_e108 + 1i);
         }
     }
-    let _e389 = colour_3;
-    let _e390 = height_2;
-    let _e391 = lost_5;
-    let _e394 = gabor_impl_material(_e389, _e390, _e391, fabric.roughness, 0f);
-    return _e394;
+    let _e254 = uneven;
+    let _e256 = uneven;
+    light = (0.8828f - ((0.0056f * _e254) * _e256));
+    let _e262 = uneven;
+    let _e264 = uneven;
+    tall = (0.0406f + ((0.0025f * _e262) * _e264));
+    let _e270 = samples;
+    let _e271 = kept_4;
+    let _e272 = tall;
+    let _e275 = ((0.29f * count) * count);
+    gabor_impl_average((&height_3), (&lost_6), _e270, _e271, _e272, vec3<f32>(_e275.x, _e275.y, 0f));
+    let _e283 = light;
+    let _e285 = warp;
+    let _e286 = weft;
+    let _e289 = colour_3;
+    let _e290 = samples;
+    let _e294 = kept_4;
+    colour_3 = mix(((0.5f * _e283) * (_e285 + _e286)), (_e289 / vec3(f32(_e290))), vec3(_e294));
+    let _e297 = height_3;
+    let _e298 = unit_5;
+    height_3 = (_e297 * _e298);
+    let _e300 = unit_5;
+    let _e301 = unit_5;
+    let _e303 = lost_6;
+    lost_6 = ((_e300 * _e301) * (_e303 + (0.0006125f * (of_.c.lost + of_.d.lost))));
+    if (fabric.cords > 0f) {
+        {
+            let _e318 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            cords = _e318.x;
+            let _e321 = cords;
+            let _e322 = gabor_impl_along_x(cloth);
+            at_10 = (_e321 * _e322);
+            let _e326 = at_10;
+            let _e327 = gabor_impl_steps(pixel, _e326);
+            damped_2 = exp(-(min((4.934802f * _e327), 20f)));
+            let _e335 = damped_2;
+            half_cord = (0.5f * _e335);
+            let _e339 = damped_2;
+            let _e341 = damped_2;
+            let _e343 = damped_2;
+            let _e345 = damped_2;
+            second_3 = ((((0.125f * _e339) * _e341) * _e343) * _e345);
+            let _e349 = at_10;
+            turn_13 = (6.2831855f * fract(_e349.x));
+            let _e355 = half_cord;
+            let _e356 = turn_13;
+            let _e360 = second_3;
+            let _e362 = turn_13;
+            cord = ((0.625f - (_e355 * cos(_e356))) - (_e360 * cos((2f * _e362))));
+            let _e371 = cords;
+            depth_1 = ((0.3f * fabric.relief) / _e371);
+            let _e374 = depth_1;
+            swing = (_e374 * 6.2831855f);
+            let _e378 = colour_3;
+            let _e381 = cord;
+            colour_3 = (_e378 * mix(0.3f, 1f, _e381));
+            let _e384 = height_3;
+            let _e385 = depth_1;
+            let _e386 = cord;
+            let _e388 = swing;
+            let _e389 = half_cord;
+            let _e390 = turn_13;
+            let _e394 = second_3;
+            let _e397 = turn_13;
+            let _e403 = at_10;
+            let _e405 = ((_e388 * ((_e389 * sin(_e390)) + ((2f * _e394) * sin((2f * _e397))))) * _e403.yz);
+            height_3 = (_e384 + vec3<f32>((_e385 * _e386), _e405.x, _e405.y));
+            let _e410 = lost_6;
+            let _e411 = swing;
+            let _e412 = swing;
+            let _e416 = half_cord;
+            let _e418 = half_cord;
+            let _e422 = second_3;
+            let _e424 = second_3;
+            let _e428 = at_10;
+            let _e430 = gabor_impl_square(_e428.yz);
+            lost_6 = (_e410 + (((_e411 * _e412) * ((0.15625f - ((0.5f * _e416) * _e418)) - ((2f * _e422) * _e424))) * _e430));
+        }
+    }
+    let _e433 = colour_3;
+    let _e434 = height_3;
+    let _e435 = lost_6;
+    let _e438 = gabor_impl_material(_e433, _e434, _e435, fabric.roughness, 0f);
+    return _e438;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_15: GaborPixel;
+    var pixel_16: GaborPixel;
     var cloth_2: GaborWarped;
-    var count_4: vec2<f32>;
+    var count_6: vec2<f32>;
     var of_3: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_15 = _e8;
-    let _e10 = pixel_15;
+    pixel_16 = _e8;
+    let _e10 = pixel_16;
     let _e11 = gabor_impl_cloth(_e10, fabric, seed);
     cloth_2 = _e11;
-    let _e13 = pixel_15;
+    let _e13 = pixel_16;
     let _e16 = gabor_impl_repeated(_e13, fabric.threads, 2f);
-    count_4 = _e16;
+    count_6 = _e16;
     let _e18 = gabor_impl_no_pairs();
     of_3 = _e18;
     let _e22 = cloth_2;
-    let _e23 = count_4;
+    let _e23 = count_6;
     let _e24 = gabor_impl_fabric_layer(0i, _e22, _e23, seed);
     let _e25 = gabor_impl_spots_pair(_e24);
     of_3.a = _e25;
     let _e28 = cloth_2;
-    let _e29 = count_4;
+    let _e29 = count_6;
     let _e30 = gabor_impl_fabric_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_3.b = _e31;
     let _e34 = cloth_2;
-    let _e35 = count_4;
+    let _e35 = count_6;
     let _e36 = gabor_impl_fabric_layer(2i, _e34, _e35, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_3.c = _e37;
     let _e40 = cloth_2;
-    let _e41 = count_4;
+    let _e41 = count_6;
     let _e42 = gabor_impl_fabric_layer(3i, _e40, _e41, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_3.d = _e43;
-    let _e44 = pixel_15;
+    let _e44 = pixel_16;
     let _e45 = cloth_2;
-    let _e46 = count_4;
+    let _e46 = count_6;
     let _e47 = of_3;
     let _e48 = gabor_impl_fabric(_e44, _e45, _e46, fabric, _e47);
     return _e48;
@@ -2050,188 +2123,232 @@ fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_50: vec2<f32>;
+    var local_49: vec2<f32>;
     if (i == 0i) {
-        local_50 = vec2<f32>(20f, 0.6f);
+        local_49 = vec2<f32>(20f, 0.6f);
     } else {
-        local_50 = vec2<f32>(0.6f, 20f);
+        local_49 = vec2<f32>(0.6f, 20f);
     }
-    let _e13 = local_50;
+    let _e13 = local_49;
     let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
     return _e17;
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
+    var at_x_1: vec3<f32>;
+    var at_y_1: vec3<f32>;
+    var spread_3: f32;
+    var kept_5: f32;
+    var unit_6: f32;
+    var warp_1: vec3<f32>;
+    var weft_1: vec3<f32>;
+    var height_4: vec3<f32> = vec3(0f);
+    var colour_4: vec3<f32> = vec3(0f);
+    var lost_7: vec3<f32> = vec3(0f);
+    var samples_1: i32;
+    var i_15: i32 = 0i;
+    var offset_4: vec2<f32>;
     var x_28: vec3<f32>;
     var y_20: vec3<f32>;
-    var kept_4: f32;
-    var unit_6: f32;
     var turn_14: f32;
     var first_4: bool;
-    var local_51: vec3<f32>;
-    var fibre_1: vec3<f32>;
-    var local_52: vec3<f32>;
-    var lost_6: vec3<f32>;
-    var local_53: vec3<f32>;
+    var local_50: vec3<f32>;
     var along_3: vec3<f32>;
-    var local_54: vec3<f32>;
+    var local_51: vec3<f32>;
     var across_3: vec3<f32>;
-    var local_55: f32;
+    var local_52: f32;
     var cube: f32;
     var arch: f32;
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
-    var local_56: f32;
-    var tone_1: vec2<f32>;
-    var colour_4: vec3<f32>;
+    var local_53: vec3<f32>;
+    var local_54: vec3<f32>;
     let _e6 = gabor_impl_along_x(cloth);
-    x_28 = (count.x * _e6);
+    at_x_1 = (count.x * _e6);
     let _e10 = gabor_impl_along_y(cloth);
-    y_20 = (count.y * _e10);
-    let _e13 = x_28;
-    let _e14 = y_20;
-    let _e15 = gabor_impl_weave_kept(pixel, _e13, _e14);
-    kept_4 = _e15;
+    at_y_1 = (count.y * _e10);
+    let _e13 = at_x_1;
+    let _e14 = at_y_1;
+    let _e15 = gabor_impl_pixel_spread(pixel, _e13, _e14);
+    spread_3 = _e15;
+    let _e20 = spread_3;
+    kept_5 = (1f - smoothstep(0.5f, 1f, _e20));
     unit_6 = (fibres.relief / fibres.tows);
-    let _e23 = x_28;
-    let _e26 = y_20;
-    turn_14 = ((4f * fract(((0.25f * (floor(_e23.x) + floor(_e26.x))) + 0.125f))) - 0.5f);
-    let _e39 = x_28;
-    let _e41 = x_28;
-    x_28.x = (_e39.x - floor(_e41.x));
-    let _e46 = y_20;
-    let _e48 = y_20;
-    y_20.x = (_e46.x - floor(_e48.x));
-    let _e52 = turn_14;
-    first_4 = (_e52 < 1.5f);
-    let _e56 = first_4;
-    if _e56 {
-        local_51 = of_.a.first;
-    } else {
-        local_51 = of_.b.first;
+    let _e35 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.contrast);
+    let _e36 = gabor_impl_toned(fibres.colour, _e35);
+    warp_1 = _e36;
+    let _e45 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.contrast);
+    let _e46 = gabor_impl_toned(fibres.colour, _e45);
+    weft_1 = _e46;
+    let _e57 = spread_3;
+    let _e58 = gabor_impl_samples(_e57);
+    samples_1 = _e58;
+    loop {
+        let _e62 = i_15;
+        let _e63 = samples_1;
+        if !((_e62 < _e63)) {
+            break;
+        }
+        {
+            let _e69 = i_15;
+            let _e70 = samples_1;
+            let _e71 = gabor_impl_sample(pixel, _e69, _e70);
+            offset_4 = _e71;
+            let _e73 = at_x_1;
+            let _e74 = offset_4;
+            let _e75 = gabor_impl_moved(_e73, _e74);
+            x_28 = _e75;
+            let _e77 = at_y_1;
+            let _e78 = offset_4;
+            let _e79 = gabor_impl_moved(_e77, _e78);
+            y_20 = _e79;
+            let _e83 = x_28;
+            let _e86 = y_20;
+            turn_14 = ((4f * fract(((0.25f * (floor(_e83.x) + floor(_e86.x))) + 0.125f))) - 0.5f);
+            let _e99 = x_28;
+            let _e101 = x_28;
+            x_28.x = (_e99.x - floor(_e101.x));
+            let _e106 = y_20;
+            let _e108 = y_20;
+            y_20.x = (_e106.x - floor(_e108.x));
+            let _e112 = turn_14;
+            first_4 = (_e112 < 1.5f);
+            let _e117 = first_4;
+            if _e117 {
+                let _e118 = y_20;
+                local_50 = _e118;
+            } else {
+                let _e119 = x_28;
+                local_50 = _e119;
+            }
+            let _e121 = local_50;
+            along_3 = (0.5f * _e121);
+            let _e125 = first_4;
+            if _e125 {
+                let _e126 = x_28;
+                local_51 = _e126;
+            } else {
+                let _e127 = y_20;
+                local_51 = _e127;
+            }
+            let _e129 = local_51;
+            across_3 = (2f * _e129);
+            let _e133 = along_3;
+            let _e136 = turn_14;
+            if (fract(((0.5f * _e136) + 0.25f)) < 0.5f) {
+                local_52 = 0f;
+            } else {
+                local_52 = 0.5f;
+            }
+            let _e146 = local_52;
+            along_3.x = (_e133.x + _e146);
+            let _e149 = across_3;
+            across_3.x = (_e149.x - 1f);
+            let _e153 = across_3;
+            let _e155 = across_3;
+            let _e158 = across_3;
+            cube = ((_e153.x * _e155.x) * _e158.x);
+            let _e163 = cube;
+            let _e164 = across_3;
+            arch = (1f - (_e163 * _e164.x));
+            let _e170 = along_3;
+            let _e175 = along_3;
+            wave_17 = vec2<f32>(cos((3.1415927f * _e170.x)), sin((3.1415927f * _e175.x)));
+            let _e181 = wave_17;
+            let _e183 = arch;
+            let _e186 = arch;
+            let _e188 = wave_17;
+            let _e191 = along_3;
+            let _e195 = cube;
+            let _e197 = wave_17;
+            let _e200 = across_3;
+            let _e203 = ((((3.1415927f * _e186) * _e188.x) * _e191.yz) - (((4f * _e195) * _e197.y) * _e200.yz));
+            bulge = vec3<f32>((_e181.y * _e183), _e203.x, _e203.y);
+            let _e208 = colour_4;
+            let _e211 = bulge;
+            let _e215 = first_4;
+            if _e215 {
+                let _e216 = warp_1;
+                local_53 = _e216;
+            } else {
+                let _e217 = weft_1;
+                local_53 = _e217;
+            }
+            let _e219 = local_53;
+            colour_4 = (_e208 + ((0.35f + (0.65f * _e211.x)) * _e219));
+            let _e223 = bulge;
+            let _e226 = first_4;
+            if _e226 {
+                local_54 = of_.a.first;
+            } else {
+                local_54 = of_.b.first;
+            }
+            let _e232 = local_54;
+            bulge = ((0.16f * _e223) + (0.006f * _e232));
+            let _e235 = height_4;
+            let _e236 = bulge;
+            height_4 = (_e235 + _e236);
+            let _e238 = lost_7;
+            let _e239 = bulge;
+            let _e241 = gabor_impl_square(_e239.yz);
+            lost_7 = (_e238 + _e241);
+        }
+        continuing {
+            let _e66 = i_15;
+            i_15 = (_e66 + 1i);
+        }
     }
-    let _e62 = local_51;
-    fibre_1 = _e62;
-    let _e64 = first_4;
-    if _e64 {
-        local_52 = of_.a.lost;
-    } else {
-        local_52 = of_.b.lost;
-    }
-    let _e70 = local_52;
-    lost_6 = _e70;
-    let _e73 = first_4;
-    if _e73 {
-        let _e74 = y_20;
-        local_53 = _e74;
-    } else {
-        let _e75 = x_28;
-        local_53 = _e75;
-    }
-    let _e77 = local_53;
-    along_3 = (0.5f * _e77);
-    let _e81 = first_4;
-    if _e81 {
-        let _e82 = x_28;
-        local_54 = _e82;
-    } else {
-        let _e83 = y_20;
-        local_54 = _e83;
-    }
-    let _e85 = local_54;
-    across_3 = (2f * _e85);
-    let _e89 = along_3;
-    let _e92 = turn_14;
-    if (fract(((0.5f * _e92) + 0.25f)) < 0.5f) {
-        local_55 = 0f;
-    } else {
-        local_55 = 0.5f;
-    }
-    let _e102 = local_55;
-    along_3.x = (_e89.x + _e102);
-    let _e105 = across_3;
-    across_3.x = (_e105.x - 1f);
-    let _e109 = across_3;
-    let _e111 = across_3;
-    let _e114 = across_3;
-    cube = ((_e109.x * _e111.x) * _e114.x);
-    let _e119 = cube;
-    let _e120 = across_3;
-    arch = (1f - (_e119 * _e120.x));
-    let _e126 = along_3;
-    let _e131 = along_3;
-    wave_17 = vec2<f32>(cos((3.1415927f * _e126.x)), sin((3.1415927f * _e131.x)));
-    let _e138 = wave_17;
-    let _e140 = arch;
-    let _e142 = kept_4;
-    let _e144 = kept_4;
-    let _e146 = arch;
-    let _e148 = wave_17;
-    let _e151 = along_3;
-    let _e155 = cube;
-    let _e157 = wave_17;
-    let _e160 = across_3;
-    let _e164 = (_e144 * ((((3.1415927f * _e146) * _e148.x) * _e151.yz) - (((4f * _e155) * _e157.y) * _e160.yz)));
-    bulge = vec3<f32>(mix(0.5093f, (_e138.y * _e140), _e142), _e164.x, _e164.y);
-    let _e169 = fibre_1;
-    let _e171 = first_4;
-    if _e171 {
-        local_56 = of_.a.removed;
-    } else {
-        local_56 = of_.b.removed;
-    }
-    let _e177 = local_56;
-    let _e179 = gabor_impl_tone(_e169.x, _e177, fibres.contrast);
-    tone_1 = _e179;
-    let _e183 = bulge;
-    let _e188 = tone_1;
-    let _e189 = gabor_impl_toned(fibres.colour, _e188);
-    colour_4 = ((0.35f + (0.65f * _e183.x)) * _e189);
-    let _e192 = unit_6;
-    let _e193 = unit_6;
-    let _e199 = kept_4;
-    let _e200 = kept_4;
-    let _e204 = (count * count);
-    let _e211 = lost_6;
-    lost_6 = ((_e192 * _e193) * (((0.069632f * (1f - (_e199 * _e200))) * vec3<f32>(_e204.x, _e204.y, 0f)) + (0.000036f * _e211)));
-    let _e215 = colour_4;
-    let _e216 = unit_6;
-    let _e218 = bulge;
-    let _e221 = fibre_1;
-    let _e225 = lost_6;
-    let _e228 = gabor_impl_material(_e215, (_e216 * ((0.16f * _e218) + (0.006f * _e221))), _e225, fibres.roughness, 0f);
-    return _e228;
+    let _e245 = samples_1;
+    let _e246 = kept_5;
+    let _e251 = (count * count);
+    gabor_impl_average((&height_4), (&lost_7), _e245, _e246, 0.081488f, (0.069632f * vec3<f32>(_e251.x, _e251.y, 0f)));
+    let _e260 = warp_1;
+    let _e261 = weft_1;
+    let _e264 = colour_4;
+    let _e265 = samples_1;
+    let _e269 = kept_5;
+    colour_4 = mix((0.340523f * (_e260 + _e261)), (_e264 / vec3(f32(_e265))), vec3(_e269));
+    let _e272 = unit_6;
+    let _e273 = unit_6;
+    let _e275 = lost_7;
+    lost_7 = ((_e272 * _e273) * (_e275 + (0.000018f * (of_.a.lost + of_.b.lost))));
+    let _e285 = colour_4;
+    let _e286 = unit_6;
+    let _e287 = height_4;
+    let _e289 = lost_7;
+    let _e292 = gabor_impl_material(_e285, (_e286 * _e287), _e289, fibres.roughness, 0f);
+    return _e292;
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_18: GaborPixel;
+    var pixel_19: GaborPixel;
     var cloth_5: GaborWarped;
-    var count_7: vec2<f32>;
+    var count_9: vec2<f32>;
     var of_5: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_18 = _e8;
-    let _e10 = pixel_18;
+    pixel_19 = _e8;
+    let _e10 = pixel_19;
     let _e11 = gabor_impl_twill(_e10, seed);
     cloth_5 = _e11;
-    let _e13 = pixel_18;
+    let _e13 = pixel_19;
     let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
-    count_7 = _e16;
+    count_9 = _e16;
     let _e18 = gabor_impl_no_pairs();
     of_5 = _e18;
     let _e22 = cloth_5;
-    let _e23 = count_7;
+    let _e23 = count_9;
     let _e24 = gabor_impl_tow_layer(0i, _e22, _e23, seed);
     let _e25 = gabor_impl_spots_pair(_e24);
     of_5.a = _e25;
     let _e28 = cloth_5;
-    let _e29 = count_7;
+    let _e29 = count_9;
     let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_5.b = _e31;
-    let _e32 = pixel_18;
+    let _e32 = pixel_19;
     let _e33 = cloth_5;
-    let _e34 = count_7;
+    let _e34 = count_9;
     let _e35 = of_5;
     let _e36 = gabor_impl_carbon_fibre(_e32, _e33, _e34, fibres, _e35);
     return _e36;
@@ -2257,7 +2374,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
-    var local_57: f32;
+    var local_55: f32;
     if (i < 3i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e13 = gabor_lobe_seed(seed, 4i);
@@ -2270,189 +2387,247 @@ fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leathe
         return _e22;
     }
     if (i == 4i) {
-        local_57 = 0.2f;
+        local_55 = 0.2f;
     } else {
-        local_57 = 2.2944f;
+        local_55 = 2.2944f;
     }
-    let _e35 = local_57;
+    let _e35 = local_55;
     let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
     return _e38;
 }
 
-// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
-struct GaborCrest {
-    cosine: vec3<f32>,
-    sine: vec3<f32>,
-    share: vec3<f32>,
+// The wave vector of a layer in turns per unit of p.
+fn gabor_impl_turns(layer: GaborLayer) -> vec2<f32> {
+    var wave_18: vec2<f32>;
+    wave_18 = (layer.density * layer.wave);
+    let _e5 = wave_18;
+    let _e9 = wave_18;
+    return vec2<f32>(dot(_e5, layer.at.x), dot(_e9, layer.at.y));
 }
 
-fn gabor_impl_crest(wave: GaborPair) -> GaborCrest {
+// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
+fn gabor_impl_moved_waves(pair: GaborPair, turns: vec2<f32>, offset: vec2<f32>) -> GaborPair {
+    var turn_15: vec2<f32>;
+    var whole_3: vec2<f32>;
+    var a_15: vec3<f32>;
+    var b_15: vec3<f32>;
+    var first_5: vec3<f32>;
+    var second_4: vec3<f32>;
+    let _e4 = gabor_impl_wave(dot(turns, offset));
+    turn_15 = _e4;
+    whole_3 = (6.2831855f * turns);
+    let _e13 = whole_3;
+    let _e14 = (pair.second.x * _e13);
+    let _e19 = gabor_impl_moved((pair.first + vec3<f32>(0f, _e14.x, _e14.y)), offset);
+    a_15 = _e19;
+    let _e25 = whole_3;
+    let _e26 = (pair.first.x * _e25);
+    let _e31 = gabor_impl_moved((pair.second - vec3<f32>(0f, _e26.x, _e26.y)), offset);
+    b_15 = _e31;
+    let _e33 = turn_15;
+    let _e35 = a_15;
+    let _e37 = turn_15;
+    let _e39 = b_15;
+    first_5 = ((_e33.x * _e35) - (_e37.y * _e39));
+    let _e43 = turn_15;
+    let _e45 = a_15;
+    let _e47 = turn_15;
+    let _e49 = b_15;
+    second_4 = ((_e43.y * _e45) + (_e47.x * _e49));
+    let _e53 = first_5;
+    let _e55 = second_4;
+    let _e57 = whole_3;
+    let _e58 = (_e55.x * _e57);
+    let _e63 = second_4;
+    let _e65 = first_5;
+    let _e67 = whole_3;
+    let _e68 = (_e65.x * _e67);
+    return GaborPair((_e53 - vec3<f32>(0f, _e58.x, _e58.y)), (_e63 + vec3<f32>(0f, _e68.x, _e68.y)), 0f, vec3(0f));
+}
+
+// Brings the waves of a pair near length 1: their cosine and sine.
+fn gabor_impl_crest(waves: GaborPair, cosine: ptr<function, vec3<f32>>, sine: ptr<function, vec3<f32>>) {
     var power_6: f32;
-    var whole_3: f32;
     var change_4: vec2<f32>;
     var unit_7: vec3<f32>;
-    power_6 = ((wave.first.x * wave.first.x) + (wave.second.x * wave.second.x));
-    let _e13 = power_6;
-    whole_3 = (_e13 + (2.5f * wave.removed));
-    change_4 = (2f * ((wave.first.x * wave.first.yz) + (wave.second.x * wave.second.yz)));
-    let _e33 = power_6;
-    let _e40 = power_6;
-    let _e44 = change_4;
-    let _e45 = ((-0.5f / (_e40 + 0.12f)) * _e44);
-    unit_7 = (inverseSqrt((_e33 + 0.12f)) * vec3<f32>(1f, _e45.x, _e45.y));
-    let _e52 = unit_7;
-    let _e53 = gabor_impl_times(wave.first, _e52);
-    let _e55 = unit_7;
-    let _e56 = gabor_impl_times(wave.second, _e55);
-    let _e57 = power_6;
-    let _e61 = whole_3;
-    let _e63 = change_4;
-    let _e64 = (((2.5f * wave.removed) / _e61) * _e63);
-    let _e68 = whole_3;
-    return GaborCrest(_e53, _e56, (vec3<f32>(_e57, _e64.x, _e64.y) / vec3(_e68)));
+    power_6 = (((waves.first.x * waves.first.x) + (waves.second.x * waves.second.x)) + 0.12f);
+    change_4 = ((waves.first.x * waves.first.yz) + (waves.second.x * waves.second.yz));
+    let _e29 = power_6;
+    let _e34 = power_6;
+    let _e36 = change_4;
+    let _e37 = ((-1f / _e34) * _e36);
+    unit_7 = (inverseSqrt(_e29) * vec3<f32>(1f, _e37.x, _e37.y));
+    let _e44 = unit_7;
+    let _e45 = gabor_impl_times(waves.first, _e44);
+    (*cosine) = _e45;
+    let _e47 = unit_7;
+    let _e48 = gabor_impl_times(waves.second, _e47);
+    (*sine) = _e48;
+    return;
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-fn gabor_impl_leather(leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
-    var a_14: GaborCrest;
-    var b_15: GaborCrest;
-    var one_1: vec3<f32> = vec3<f32>(1f, 0f, 0f);
-    var shares: vec3<f32>;
+fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f32>, turns_b: vec2<f32>, of_: GaborPairs) -> GaborMaterial {
+    var spread_4: f32;
+    var kept_6: f32;
+    var share: f32 = 0f;
+    var height_5: vec3<f32> = vec3(0f);
+    var lost_8: vec3<f32> = vec3(0f);
+    var samples_2: i32;
+    var i_17: i32 = 0i;
+    var offset_6: vec2<f32>;
+    var a_16: vec3<f32>;
+    var b_16: vec3<f32>;
+    var sine_a: vec3<f32>;
+    var sine_b: vec3<f32>;
     var cells: vec3<f32>;
-    var root: f32;
-    var kept_5: vec3<f32>;
-    var blur: vec3<f32>;
     var pebble: vec3<f32>;
-    var dome: vec3<f32>;
-    var tones_2: vec2<f32>;
-    var height_3: vec3<f32>;
-    var gone: f32;
-    var lost_7: vec3<f32>;
+    var relief: vec3<f32>;
+    var square_5: vec3<f32>;
+    var tones_1: vec2<f32>;
     var colour_5: vec3<f32>;
-    let _e3 = gabor_impl_crest(of_.c);
-    a_14 = _e3;
-    let _e6 = gabor_impl_crest(of_.d);
-    b_15 = _e6;
-    let _e13 = a_14;
-    let _e15 = b_15;
-    let _e17 = gabor_impl_times(_e13.share, _e15.share);
-    shares = _e17;
-    let _e19 = a_14;
-    let _e21 = b_15;
-    let _e24 = a_14;
-    let _e26 = b_15;
-    let _e28 = gabor_impl_times(_e24.cosine, _e26.cosine);
-    let _e30 = a_14;
-    let _e32 = b_15;
-    let _e34 = gabor_impl_times(_e30.sine, _e32.sine);
-    cells = (((_e19.cosine + _e21.cosine) + _e28) - _e34);
-    let _e37 = shares;
-    root = sqrt(_e37.x);
-    let _e41 = root;
-    let _e43 = root;
-    let _e47 = shares;
-    let _e49 = ((0.5f / max(_e43, 0.000001f)) * _e47.yz);
-    kept_5 = vec3<f32>(_e41, _e49.x, _e49.y);
-    let _e54 = one_1;
-    let _e55 = kept_5;
-    blur = (_e54 - _e55);
-    let _e60 = one_1;
-    let _e62 = blur;
-    let _e66 = one_1;
-    let _e68 = blur;
-    let _e70 = cells;
-    let _e76 = gabor_impl_step(((-1.45f * _e60) - _e62), ((-0.55f * _e66) + _e68), (_e70 + (0.1f * of_.a.second)));
-    let _e78 = one_1;
-    pebble = (_e76 - (0.806f * _e78));
-    let _e82 = one_1;
-    let _e85 = one_1;
-    let _e87 = cells;
-    let _e88 = gabor_impl_step(-(_e82), (3f * _e85), _e87);
-    let _e90 = one_1;
-    dome = (_e88 - (0.236f * _e90));
-    let _e95 = one_1;
-    let _e97 = kept_5;
-    let _e98 = pebble;
-    let _e99 = gabor_impl_times(_e97, _e98);
-    pebble = ((0.806f * _e95) + _e99);
-    let _e102 = one_1;
-    let _e104 = kept_5;
-    let _e105 = dome;
-    let _e106 = gabor_impl_times(_e104, _e105);
-    dome = ((0.236f * _e102) + _e106);
-    let _e114 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e121 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
-    tones_2 = (_e114 + _e121);
-    let _e126 = pebble;
-    let _e129 = dome;
-    height_3 = (leather.relief * (((0.016f * _e126) + (0.013f * _e129)) + (0.0016f * of_.a.second)));
-    let _e143 = root;
-    let _e144 = root;
-    let _e147 = blur;
-    gone = ((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x))));
-    let _e154 = gone;
-    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of_.a.lost));
-    let _e167 = tones_2;
-    let _e168 = gabor_impl_toned(leather.crease, _e167);
-    let _e170 = tones_2;
-    let _e171 = gabor_impl_toned(leather.pebble, _e170);
-    let _e172 = pebble;
-    colour_5 = mix(_e168, _e171, vec3(_e172.x));
+    let _e13 = gabor_impl_pixel_spread(pixel, vec3<f32>(0f, turns_a.x, turns_a.y), vec3<f32>(0f, turns_b.x, turns_b.y));
+    spread_4 = _e13;
+    let _e18 = spread_4;
+    kept_6 = (1f - smoothstep(0.4f, 0.8f, _e18));
+    let _e30 = spread_4;
+    let _e31 = gabor_impl_samples(_e30);
+    samples_2 = _e31;
+    loop {
+        let _e35 = i_17;
+        let _e36 = samples_2;
+        if !((_e35 < _e36)) {
+            break;
+        }
+        {
+            let _e42 = i_17;
+            let _e43 = samples_2;
+            let _e44 = gabor_impl_sample(pixel, _e42, _e43);
+            offset_6 = _e44;
+            let _e51 = offset_6;
+            let _e52 = gabor_impl_moved_waves(of_.c, turns_a, _e51);
+            gabor_impl_crest(_e52, (&a_16), (&sine_a));
+            let _e58 = offset_6;
+            let _e59 = gabor_impl_moved_waves(of_.d, turns_b, _e58);
+            gabor_impl_crest(_e59, (&b_16), (&sine_b));
+            let _e64 = a_16;
+            let _e65 = b_16;
+            let _e67 = a_16;
+            let _e68 = b_16;
+            let _e69 = gabor_impl_times(_e67, _e68);
+            let _e71 = sine_a;
+            let _e72 = sine_b;
+            let _e73 = gabor_impl_times(_e71, _e72);
+            cells = (((_e64 + _e65) + _e69) - _e73);
+            let _e80 = cells;
+            let _e86 = gabor_impl_step(-1.45f, -0.55f, (_e80 + (0.1f * of_.a.second)));
+            pebble = _e86;
+            let _e88 = share;
+            let _e89 = pebble;
+            share = (_e88 + _e89.x);
+            let _e93 = pebble;
+            let _e99 = cells;
+            let _e100 = gabor_impl_step(-1f, 3f, _e99);
+            relief = (((0.016f * _e93) + (0.013f * _e100)) + (0.0016f * of_.a.second));
+            let _e109 = height_5;
+            let _e110 = relief;
+            height_5 = (_e109 + _e110);
+            let _e112 = lost_8;
+            let _e113 = relief;
+            let _e115 = gabor_impl_square(_e113.yz);
+            lost_8 = (_e112 + _e115);
+        }
+        continuing {
+            let _e39 = i_17;
+            i_17 = (_e39 + 1i);
+        }
+    }
+    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.00287f, 0.0026f, 0f));
+    let _e128 = samples_2;
+    let _e129 = kept_6;
+    let _e131 = square_5;
+    gabor_impl_average((&height_5), (&lost_8), _e128, _e129, 0.015964f, _e131);
+    let _e135 = share;
+    let _e136 = samples_2;
+    let _e139 = kept_6;
+    share = mix(0.806f, (_e135 / f32(_e136)), _e139);
+    let _e147 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e154 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_1 = (_e147 + _e154);
+    let _e158 = tones_1;
+    let _e159 = gabor_impl_toned(leather.crease, _e158);
+    let _e161 = tones_1;
+    let _e162 = gabor_impl_toned(leather.pebble, _e161);
+    let _e163 = share;
+    colour_5 = mix(_e159, _e162, vec3(_e163));
+    let _e170 = lost_8;
+    lost_8 = ((leather.relief * leather.relief) * (_e170 + (0.00000256f * of_.a.lost)));
     let _e177 = colour_5;
-    let _e178 = height_3;
-    let _e182 = lost_7;
-    let _e187 = pebble;
-    let _e193 = gabor_impl_material(_e177, _e178, ((leather.relief * leather.relief) * _e182), (leather.roughness + (0.15f * (1f - _e187.x))), 0f);
-    return _e193;
+    let _e179 = height_5;
+    let _e181 = lost_8;
+    let _e185 = share;
+    let _e190 = gabor_impl_material(_e177, (leather.relief * _e179), _e181, (leather.roughness + (0.15f * (1f - _e185))), 0f);
+    return _e190;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_21: GaborPixel;
+    var pixel_23: GaborPixel;
     var skin_2: GaborWarped;
     var of_7: GaborPairs;
-    var i_14: i32 = 0i;
+    var i_18: i32 = 0i;
+    var a_17: GaborLayer;
+    var b_17: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_21 = _e8;
-    let _e10 = pixel_21;
+    pixel_23 = _e8;
+    let _e10 = pixel_23;
     let _e11 = gabor_impl_skin(_e10, leather, seed);
     skin_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_7 = _e13;
     loop {
-        let _e17 = i_14;
+        let _e17 = i_18;
         if !((_e17 < 3i)) {
             break;
         }
         let _e25 = of_7;
-        let _e27 = i_14;
-        let _e28 = pixel_21;
+        let _e27 = i_18;
+        let _e28 = pixel_23;
         let _e29 = skin_2;
         let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_7.a = _e31;
         continuing {
-            let _e21 = i_14;
-            i_14 = (_e21 + 1i);
+            let _e21 = i_18;
+            i_18 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_21;
+    let _e34 = pixel_23;
     let _e35 = skin_2;
     let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_7.b = _e37;
-    let _e40 = pixel_21;
-    let _e41 = skin_2;
-    let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
-    let _e43 = gabor_impl_waves_pair(_e42);
-    of_7.c = _e43;
-    let _e46 = pixel_21;
-    let _e47 = skin_2;
-    let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
-    let _e49 = gabor_impl_waves_pair(_e48);
-    of_7.d = _e49;
-    let _e50 = of_7;
-    let _e51 = gabor_impl_leather(leather, _e50);
-    return _e51;
+    let _e39 = pixel_23;
+    let _e40 = skin_2;
+    let _e41 = gabor_impl_leather_layer(4i, _e39, _e40, leather, seed);
+    a_17 = _e41;
+    let _e44 = pixel_23;
+    let _e45 = skin_2;
+    let _e46 = gabor_impl_leather_layer(5i, _e44, _e45, leather, seed);
+    b_17 = _e46;
+    let _e49 = a_17;
+    let _e50 = gabor_impl_waves_pair(_e49);
+    of_7.c = _e50;
+    let _e52 = b_17;
+    let _e53 = gabor_impl_waves_pair(_e52);
+    of_7.d = _e53;
+    let _e54 = pixel_23;
+    let _e55 = a_17;
+    let _e56 = gabor_impl_turns(_e55);
+    let _e57 = b_17;
+    let _e58 = gabor_impl_turns(_e57);
+    let _e59 = of_7;
+    let _e60 = gabor_impl_leather(_e54, leather, _e56, _e58, _e59);
+    return _e60;
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
@@ -2483,12 +2658,12 @@ fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborW
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
+    var local_56: vec3<f32>;
+    var local_57: vec3<f32>;
     var local_58: vec3<f32>;
-    var local_59: vec3<f32>;
-    var local_60: vec3<f32>;
     var vein: vec3<f32>;
-    var local_61: i32;
-    var local_62: i32;
+    var local_59: i32;
+    var local_60: i32;
     if (i < 3i) {
         let _e11 = gabor_lobe_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
@@ -2500,39 +2675,39 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         return _e20;
     }
     if (i == 4i) {
-        local_60 = vec3<f32>(1.9f, 0.95f, -0.45f);
+        local_58 = vec3<f32>(1.9f, 0.95f, -0.45f);
     } else {
         if (i == 5i) {
-            local_59 = vec3<f32>(0.95f, 0.85f, 0.65f);
+            local_57 = vec3<f32>(0.95f, 0.85f, 0.65f);
         } else {
             if (i == 6i) {
-                local_58 = vec3<f32>(4.5f, 0.95f, 0.95f);
+                local_56 = vec3<f32>(4.5f, 0.95f, 0.95f);
             } else {
-                local_58 = vec3<f32>(13f, 0.9f, 0.2f);
+                local_56 = vec3<f32>(13f, 0.9f, 0.2f);
             }
-            let _e45 = local_58;
-            local_59 = _e45;
+            let _e45 = local_56;
+            local_57 = _e45;
         }
-        let _e47 = local_59;
-        local_60 = _e47;
+        let _e47 = local_57;
+        local_58 = _e47;
     }
-    let _e49 = local_60;
+    let _e49 = local_58;
     vein = _e49;
     let _e52 = vein;
     let _e55 = vein;
     let _e57 = vein;
     if (i == 4i) {
-        local_62 = 5i;
+        local_60 = 5i;
     } else {
         if (i == 5i) {
-            local_61 = 4i;
+            local_59 = 4i;
         } else {
-            local_61 = i;
+            local_59 = i;
         }
-        let _e66 = local_61;
-        local_62 = _e66;
+        let _e66 = local_59;
+        local_60 = _e66;
     }
-    let _e68 = local_62;
+    let _e68 = local_60;
     let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
     return _e69;
 }
@@ -2554,104 +2729,104 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
-    var local_63: f32;
+    var local_61: f32;
+    var local_62: vec2<f32>;
+    var local_63: vec2<f32>;
+    var width_7: vec2<f32>;
     var local_64: vec2<f32>;
     var local_65: vec2<f32>;
-    var width_8: vec2<f32>;
-    var local_66: vec2<f32>;
-    var local_67: vec2<f32>;
     var strength: vec2<f32>;
+    var local_66: f32;
+    var local_67: f32;
     var local_68: f32;
-    var local_69: f32;
-    var local_70: f32;
     var open: f32;
     var halo: vec3<f32>;
+    var local_69: f32;
+    var local_70: f32;
     var local_71: f32;
-    var local_72: f32;
-    var local_73: f32;
     var core: vec3<f32>;
     if (i == 4i) {
-        local_65 = vec2<f32>(0.25f, 0.035f);
+        local_63 = vec2<f32>(0.25f, 0.035f);
     } else {
         if (i == 5i) {
-            local_64 = vec2<f32>(0.35f, 0.05f);
+            local_62 = vec2<f32>(0.35f, 0.05f);
         } else {
             if (i == 6i) {
-                local_63 = 0.04f;
+                local_61 = 0.04f;
             } else {
-                local_63 = 0.05f;
+                local_61 = 0.05f;
             }
-            let _e20 = local_63;
-            local_64 = vec2<f32>(1f, _e20);
+            let _e20 = local_61;
+            local_62 = vec2<f32>(1f, _e20);
         }
-        let _e23 = local_64;
-        local_65 = _e23;
+        let _e23 = local_62;
+        local_63 = _e23;
     }
-    let _e25 = local_65;
-    width_8 = _e25;
+    let _e25 = local_63;
+    width_7 = _e25;
     if (i == 4i) {
-        local_67 = vec2<f32>(0.6f, 0.6f);
+        local_65 = vec2<f32>(0.6f, 0.6f);
     } else {
         if (i == 5i) {
-            local_66 = vec2<f32>(0.55f, 0.75f);
+            local_64 = vec2<f32>(0.55f, 0.75f);
         } else {
-            local_66 = vec2<f32>(0f, 0.45f);
+            local_64 = vec2<f32>(0f, 0.45f);
         }
-        let _e42 = local_66;
-        local_67 = _e42;
+        let _e42 = local_64;
+        local_65 = _e42;
     }
-    let _e44 = local_67;
+    let _e44 = local_65;
     strength = (marble.veins * _e44);
     if (i == 4i) {
-        local_70 = 0.5f;
+        local_68 = 0.5f;
     } else {
         if (i == 5i) {
-            local_69 = -0.4f;
+            local_67 = -0.4f;
         } else {
             if (i == 6i) {
-                local_68 = 0.8f;
+                local_66 = 0.8f;
             } else {
-                local_68 = 1.1f;
+                local_66 = 1.1f;
             }
-            let _e61 = local_68;
-            local_69 = _e61;
+            let _e61 = local_66;
+            local_67 = _e61;
         }
-        let _e63 = local_69;
-        local_70 = _e63;
+        let _e63 = local_67;
+        local_68 = _e63;
     }
-    let _e65 = local_70;
+    let _e65 = local_68;
     let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
     open = _e67.x;
     let _e71 = strength;
     let _e73 = open;
-    let _e76 = width_8;
+    let _e76 = width_7;
     let _e78 = gabor_impl_line(vein.first, vein.removed, _e76.y);
     strength.y = (_e71.y * (_e73 * _e78.x));
     let _e83 = strength;
     let _e85 = open;
-    let _e88 = width_8;
+    let _e88 = width_7;
     let _e90 = gabor_impl_line(vein.first, vein.removed, _e88.x);
     let _e93 = strength;
     strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
     halo = mix(marble.stone, marble.vein, vec3(0.65f));
     if (i == 4i) {
-        local_73 = 0.9f;
+        local_71 = 0.9f;
     } else {
         if (i == 5i) {
-            local_72 = 1f;
+            local_70 = 1f;
         } else {
             if (i == 6i) {
-                local_71 = 0.65f;
+                local_69 = 0.65f;
             } else {
-                local_71 = 0.45f;
+                local_69 = 0.45f;
             }
-            let _e116 = local_71;
-            local_72 = _e116;
+            let _e116 = local_69;
+            local_70 = _e116;
         }
-        let _e118 = local_72;
-        local_73 = _e118;
+        let _e118 = local_70;
+        local_71 = _e118;
     }
-    let _e120 = local_73;
+    let _e120 = local_71;
     core = mix(marble.stone, marble.vein, vec3(_e120));
     let _e125 = (*stone);
     let _e127 = strength;
@@ -2667,39 +2842,39 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
 }
 
 fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_24: GaborPixel;
+    var pixel_26: GaborPixel;
     var stone_3: GaborWarped;
     var cloud_1: GaborPair;
-    var i_17: i32 = 0i;
+    var i_21: i32 = 0i;
     var crystal_1: GaborPair;
     var material: GaborMaterial;
-    var i_18: i32 = 4i;
-    var layer_8: GaborLayer;
+    var i_22: i32 = 4i;
+    var layer_9: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_24 = _e8;
-    let _e10 = pixel_24;
+    pixel_26 = _e8;
+    let _e10 = pixel_26;
     let _e11 = gabor_impl_stone(_e10, marble, seed);
     stone_3 = _e11;
     let _e13 = gabor_impl_no_pair();
     cloud_1 = _e13;
     loop {
-        let _e17 = i_17;
+        let _e17 = i_21;
         if !((_e17 < 3i)) {
             break;
         }
         let _e24 = cloud_1;
-        let _e25 = i_17;
-        let _e26 = pixel_24;
+        let _e25 = i_21;
+        let _e26 = pixel_26;
         let _e27 = stone_3;
         let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
         let _e29 = gabor_impl_plus_octave(_e24, _e28);
         cloud_1 = _e29;
         continuing {
-            let _e21 = i_17;
-            i_17 = (_e21 + 1i);
+            let _e21 = i_21;
+            i_21 = (_e21 + 1i);
         }
     }
-    let _e31 = pixel_24;
+    let _e31 = pixel_26;
     let _e32 = stone_3;
     let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
     let _e34 = gabor_impl_spots_pair(_e33);
@@ -2709,24 +2884,24 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     let _e38 = gabor_impl_marble(marble, _e36, _e37);
     material = _e38;
     loop {
-        let _e42 = i_18;
+        let _e42 = i_22;
         if !((_e42 < 8i)) {
             break;
         }
         {
-            let _e49 = i_18;
-            let _e50 = pixel_24;
+            let _e49 = i_22;
+            let _e50 = pixel_26;
             let _e51 = stone_3;
             let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
-            layer_8 = _e52;
-            let _e55 = i_18;
-            let _e56 = layer_8;
+            layer_9 = _e52;
+            let _e55 = i_22;
+            let _e56 = layer_9;
             let _e57 = gabor_impl_waves_pair(_e56);
             gabor_impl_add_veins((&material), marble, _e55, _e57);
         }
         continuing {
-            let _e46 = i_18;
-            i_18 = (_e46 + 1i);
+            let _e46 = i_22;
+            i_22 = (_e46 + 1i);
         }
     }
     let _e59 = material;
@@ -2770,16 +2945,16 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     var change_5: vec2<f32>;
     var phase_9: vec3<f32>;
     var ripple: vec3<f32>;
-    var tones_3: vec2<f32>;
+    var tones_2: vec2<f32>;
     var colour_7: vec3<f32>;
     var dark: f32;
     var bright: f32;
-    var tall: vec3<f32>;
-    var height_4: vec3<f32>;
+    var tall_1: vec3<f32>;
+    var height_6: vec3<f32>;
     var wave_19: vec2<f32>;
     var bent: vec3<f32>;
-    var square_4: vec3<f32>;
-    var lost_8: vec3<f32>;
+    var square_6: vec3<f32>;
+    var lost_9: vec3<f32>;
     z_1 = vec2<f32>(of_.c.first.x, of_.c.second.x);
     let _e11 = z_1;
     let _e12 = z_1;
@@ -2809,10 +2984,10 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     ripple = _e85;
     let _e93 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
     let _e100 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
-    tones_3 = (_e93 + _e100);
-    let _e104 = tones_3;
+    tones_2 = (_e93 + _e100);
+    let _e104 = tones_2;
     let _e105 = gabor_impl_toned(sand.trough, _e104);
-    let _e107 = tones_3;
+    let _e107 = tones_2;
     let _e108 = gabor_impl_toned(sand.crest, _e107);
     let _e109 = ripple;
     colour_7 = mix(_e105, _e108, vec3(_e109.x));
@@ -2826,11 +3001,11 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e144 = colour_7;
     let _e154 = bright;
     colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
-    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
+    tall_1 = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
     let _e170 = ripple;
-    let _e171 = tall;
+    let _e171 = tall_1;
     let _e172 = gabor_impl_times(_e170, _e171);
-    height_4 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
+    height_6 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
     wave_19 = (ripples.density * ripples.wave);
     let _e190 = wave_19;
     let _e194 = wave_19;
@@ -2841,56 +3016,56 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e210 = gabor_impl_square(_e209);
     let _e211 = bent;
     let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
-    square_4 = (_e210 + _e216);
-    let _e219 = tall;
-    let _e221 = tall;
+    square_6 = (_e210 + _e216);
+    let _e219 = tall_1;
+    let _e221 = tall_1;
     let _e224 = phase_9;
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
-    let _e230 = square_4;
-    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
+    let _e230 = square_6;
+    lost_9 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
     let _e247 = colour_7;
-    let _e248 = height_4;
-    let _e249 = lost_8;
+    let _e248 = height_6;
+    let _e249 = lost_9;
     let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
     return _e252;
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_27: GaborPixel;
+    var pixel_29: GaborPixel;
     var dune_2: GaborWarped;
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
-    var i_20: i32 = 0i;
+    var i_24: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_27 = _e8;
-    let _e10 = pixel_27;
+    pixel_29 = _e8;
+    let _e10 = pixel_29;
     let _e11 = gabor_impl_dune(_e10, seed);
     dune_2 = _e11;
-    let _e14 = pixel_27;
+    let _e14 = pixel_29;
     let _e15 = dune_2;
     let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
     ripples_1 = _e16;
     let _e18 = gabor_impl_no_pairs();
     of_9 = _e18;
     loop {
-        let _e22 = i_20;
+        let _e22 = i_24;
         if !((_e22 < 3i)) {
             break;
         }
         let _e30 = of_9;
-        let _e32 = i_20;
-        let _e33 = pixel_27;
+        let _e32 = i_24;
+        let _e33 = pixel_29;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
         let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
         of_9.a = _e36;
         continuing {
-            let _e26 = i_20;
-            i_20 = (_e26 + 1i);
+            let _e26 = i_24;
+            i_24 = (_e26 + 1i);
         }
     }
-    let _e39 = pixel_27;
+    let _e39 = pixel_29;
     let _e40 = dune_2;
     let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
     let _e42 = gabor_impl_spots_pair(_e41);
@@ -2944,27 +3119,27 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMa
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_29: GaborPixel;
+    var pixel_31: GaborPixel;
     var sum_23: GaborPair;
-    var i_23: i32 = 0i;
+    var i_27: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_29 = _e8;
+    pixel_31 = _e8;
     let _e10 = gabor_impl_no_pair();
     sum_23 = _e10;
     loop {
-        let _e14 = i_23;
+        let _e14 = i_27;
         if !((_e14 < 5i)) {
             break;
         }
-        let _e22 = i_23;
-        let _e23 = i_23;
-        let _e24 = pixel_29;
+        let _e22 = i_27;
+        let _e23 = i_27;
+        let _e24 = pixel_31;
         let _e25 = gabor_impl_streaks_layer(_e23, _e24, metal, seed);
         let _e26 = gabor_impl_spots_pair(_e25);
         gabor_impl_add_streaks((&sum_23), _e22, _e26);
         continuing {
-            let _e18 = i_23;
-            i_23 = (_e18 + 1i);
+            let _e18 = i_27;
+            i_27 = (_e18 + 1i);
         }
     }
     let _e28 = sum_23;
@@ -2978,16 +3153,16 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
     var angle_1: f32;
-    var at_10: GaborWarped;
+    var at_11: GaborWarped;
     angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
     let _e17 = gabor_impl_unwarped(pixel);
     let _e18 = angle_1;
     let _e19 = gabor_impl_turned(_e17, _e18);
-    at_10 = _e19;
-    let _e21 = at_10;
+    at_11 = _e19;
+    let _e21 = at_11;
     let _e30 = gabor_impl_warp(pixel, _e21, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), seed, (2i * i));
-    at_10 = _e30;
-    let _e32 = at_10;
+    at_11 = _e30;
+    let _e32 = at_11;
     let _e47 = gabor_impl_spots_layer(0i, _e32, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
     return _e47;
 }
@@ -3036,36 +3211,36 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
 }
 
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
-    var height_5: vec3<f32>;
-    var lost_9: vec3<f32>;
-    height_5 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
-    lost_9 = ((scratches.depth * scratches.depth) * sum.lost);
-    let _e20 = height_5;
-    let _e21 = lost_9;
+    var height_7: vec3<f32>;
+    var lost_10: vec3<f32>;
+    height_7 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
+    lost_10 = ((scratches.depth * scratches.depth) * sum.lost);
+    let _e20 = height_7;
+    let _e21 = lost_10;
     let _e24 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), _e20, _e21, scratches.roughness, 0f);
     return _e24;
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_31: GaborPixel;
+    var pixel_33: GaborPixel;
     var sum_26: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_26: i32 = 0i;
+    var i_30: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_31 = _e8;
+    pixel_33 = _e8;
     loop {
-        let _e23 = i_26;
+        let _e23 = i_30;
         if !((_e23 < 14i)) {
             break;
         }
-        let _e31 = i_26;
-        let _e32 = i_26;
-        let _e33 = pixel_31;
+        let _e31 = i_30;
+        let _e32 = i_30;
+        let _e33 = pixel_33;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
         gabor_impl_add_scratches((&sum_26), scratches, _e31, _e35);
         continuing {
-            let _e27 = i_26;
-            i_26 = (_e27 + 1i);
+            let _e27 = i_30;
+            i_30 = (_e27 + 1i);
         }
     }
     let _e37 = sum_26;
@@ -3110,13 +3285,13 @@ fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, directio
 
 fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     var ragged: f32;
-    var relief: f32;
+    var relief_1: f32;
     var intensity_1: f32;
     var dark_1: f32;
-    var tones_4: vec2<f32>;
+    var tones_3: vec2<f32>;
     var colour_9: vec3<f32>;
     ragged = (0.1f * zebra.hair);
-    relief = (0.002f * zebra.hair);
+    relief_1 = (0.002f * zebra.hair);
     intensity_1 = length(vec2<f32>(of_.c.first.x, of_.c.second.x));
     let _e21 = ragged;
     let _e22 = intensity_1;
@@ -3127,49 +3302,49 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     dark_1 = _e43.x;
     let _e54 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
     let _e61 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
-    tones_4 = (_e54 + _e61);
-    let _e65 = tones_4;
+    tones_3 = (_e54 + _e61);
+    let _e65 = tones_3;
     let _e66 = gabor_impl_toned(zebra.bright, _e65);
-    let _e68 = tones_4;
+    let _e68 = tones_3;
     let _e69 = gabor_impl_toned(zebra.stripe, _e68);
     let _e70 = dark_1;
     colour_9 = mix(_e66, _e69, vec3(_e70));
     let _e74 = colour_9;
-    let _e75 = relief;
-    let _e79 = relief;
-    let _e80 = relief;
+    let _e75 = relief_1;
+    let _e79 = relief_1;
+    let _e80 = relief_1;
     let _e87 = gabor_impl_material(_e74, (_e75 * of_.a.first), ((_e79 * _e80) * of_.a.lost), zebra.roughness, 0f);
     return _e87;
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_35: GaborPixel;
+    var pixel_37: GaborPixel;
     var skin_4: GaborWarped;
     var direction_2: f32;
     var of_11: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_35 = _e8;
-    let _e10 = pixel_35;
+    pixel_37 = _e8;
+    let _e10 = pixel_37;
     let _e11 = gabor_impl_hide(_e10, seed);
     skin_4 = _e11;
-    let _e13 = pixel_35;
+    let _e13 = pixel_37;
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_11 = _e16;
-    let _e20 = pixel_35;
+    let _e20 = pixel_37;
     let _e21 = skin_4;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
     of_11.a = _e24;
-    let _e27 = pixel_35;
+    let _e27 = pixel_37;
     let _e28 = skin_4;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_11.b = _e31;
-    let _e34 = pixel_35;
+    let _e34 = pixel_37;
     let _e35 = skin_4;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
@@ -3226,16 +3401,16 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var weighted: vec3<f32>;
     var worn: f32;
     var covered: f32;
-    var tone_2: vec2<f32>;
+    var tone_1: vec2<f32>;
     var top_1: vec3<f32>;
     var moss: vec3<f32>;
     var colour_10: vec3<f32>;
     var coarse: vec3<f32>;
-    var height_6: vec3<f32>;
+    var height_8: vec3<f32>;
     var wholes: f32;
     var rises: f32;
     var both: f32;
-    var lost_10: vec3<f32>;
+    var lost_11: vec3<f32>;
     shape = (of_.c.first + (0.2f * of_.a.first));
     removed_7 = (of_.c.removed + (0.04f * of_.a.removed));
     let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
@@ -3255,17 +3430,17 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e71 = gabor_impl_above(of_.b.second, of_.b.removed, 0.9f, 0.5f);
     covered = (bark.cover * _e71.x);
     let _e81 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.25f);
-    tone_2 = _e81;
-    let _e84 = tone_2;
+    tone_1 = _e81;
+    let _e84 = tone_1;
     let _e85 = gabor_impl_toned(bark.plate, _e84);
-    let _e92 = tone_2;
+    let _e92 = tone_1;
     let _e93 = gabor_impl_toned(mix(bark.plate, vec3(1f), vec3(0.13f)), _e92);
     let _e94 = worn;
     top_1 = mix(_e85, _e93, vec3(_e94));
-    let _e99 = tone_2;
+    let _e99 = tone_1;
     let _e100 = gabor_impl_toned(bark.moss, _e99);
     moss = _e100;
-    let _e103 = tone_2;
+    let _e103 = tone_1;
     let _e104 = gabor_impl_toned(bark.furrow, _e103);
     let _e105 = moss;
     let _e106 = covered;
@@ -3279,7 +3454,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e131 = plate;
     let _e136 = coarse;
     let _e137 = gabor_impl_times(of_.a.first, _e136);
-    height_6 = ((bark.depth * _e131) + (0.018f * _e137));
+    height_8 = ((bark.depth * _e131) + (0.018f * _e137));
     let _e142 = whole_5;
     let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
     wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
@@ -3304,54 +3479,54 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e229 = coarse;
     let _e232 = coarse;
     let _e235 = both;
-    lost_10 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
+    lost_11 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
     let _e243 = colour_10;
-    let _e244 = height_6;
-    let _e245 = lost_10;
+    let _e244 = height_8;
+    let _e245 = lost_11;
     let _e248 = gabor_impl_material(_e243, _e244, _e245, bark.roughness, 0f);
     return _e248;
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_38: GaborPixel;
+    var pixel_40: GaborPixel;
     var trunk_2: GaborWarped;
     var of_13: GaborPairs;
-    var i_29: i32 = 0i;
+    var i_33: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_38 = _e8;
-    let _e10 = pixel_38;
+    pixel_40 = _e8;
+    let _e10 = pixel_40;
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_13 = _e13;
     loop {
-        let _e17 = i_29;
+        let _e17 = i_33;
         if !((_e17 < 5i)) {
             break;
         }
         let _e25 = of_13;
-        let _e27 = i_29;
-        let _e28 = pixel_38;
+        let _e27 = i_33;
+        let _e28 = pixel_40;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_13.a = _e31;
         continuing {
-            let _e21 = i_29;
-            i_29 = (_e21 + 1i);
+            let _e21 = i_33;
+            i_33 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_38;
+    let _e34 = pixel_40;
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_13.b = _e37;
-    let _e40 = pixel_38;
+    let _e40 = pixel_40;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_13.c = _e43;
-    let _e46 = pixel_38;
+    let _e46 = pixel_40;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -3385,9 +3560,9 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWa
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
+    var local_72: vec2<f32>;
+    var local_73: vec2<f32>;
     var local_74: vec2<f32>;
-    var local_75: vec2<f32>;
-    var local_76: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
@@ -3396,23 +3571,23 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         return _e15;
     }
     if (i == 4i) {
-        local_76 = vec2<f32>(0.1f, 0.33333334f);
+        local_74 = vec2<f32>(0.1f, 0.33333334f);
     } else {
         if (i == 5i) {
-            local_75 = vec2<f32>(0.14f, 1f);
+            local_73 = vec2<f32>(0.14f, 1f);
         } else {
             if (i == 6i) {
-                local_74 = vec2<f32>(0.25f, 2.8333333f);
+                local_72 = vec2<f32>(0.25f, 2.8333333f);
             } else {
-                local_74 = vec2<f32>(0.6f, 8.333333f);
+                local_72 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_74;
-            local_75 = _e35;
+            let _e35 = local_72;
+            local_73 = _e35;
         }
-        let _e37 = local_75;
-        local_76 = _e37;
+        let _e37 = local_73;
+        local_74 = _e37;
     }
-    let _e39 = local_76;
+    let _e39 = local_74;
     density_8 = _e39;
     let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
@@ -3421,92 +3596,92 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
 
 fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     var soft: vec3<f32>;
-    var tones_5: vec2<f32>;
+    var tones_4: vec2<f32>;
     var colour_11: vec3<f32>;
-    var height_7: vec3<f32>;
-    var lost_11: vec3<f32>;
+    var height_9: vec3<f32>;
+    var lost_12: vec3<f32>;
     let _e8 = gabor_impl_above(of_.c.first, of_.c.removed, 0.5f, 0.22f);
     soft = _e8;
     let _e16 = gabor_impl_tone(of_.e.first.x, of_.e.removed, 0.13f);
     let _e23 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.11f);
-    tones_5 = (_e16 + _e23);
-    let _e27 = tones_5;
+    tones_4 = (_e16 + _e23);
+    let _e27 = tones_4;
     let _e28 = gabor_impl_toned(strata.rock, _e27);
-    let _e30 = tones_5;
+    let _e30 = tones_4;
     let _e31 = gabor_impl_toned(strata.sandstone, _e30);
     let _e38 = gabor_impl_above(of_.b.first, of_.b.removed, 0f, 0.5f);
     colour_11 = mix(_e28, _e31, vec3(_e38.x));
     let _e43 = colour_11;
-    let _e45 = tones_5;
+    let _e45 = tones_4;
     let _e46 = gabor_impl_toned(strata.red, _e45);
     let _e48 = soft;
     colour_11 = mix(_e43, _e46, vec3((0.8f * _e48.x)));
     let _e53 = colour_11;
-    let _e55 = tones_5;
+    let _e55 = tones_4;
     let _e56 = gabor_impl_toned(strata.pale, _e55);
     let _e64 = gabor_impl_above(of_.d.first, of_.d.removed, 1f, 0.2f);
     colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
     let _e69 = colour_11;
-    let _e73 = tones_5;
+    let _e73 = tones_4;
     let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
     let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
     colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
     let _e92 = soft;
-    height_7 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
+    height_9 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
     let _e139 = gabor_impl_above_lost(of_.c.first, of_.c.removed, of_.c.lost, 0.5f, 0.22f);
-    lost_11 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
+    lost_12 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
     let _e143 = colour_11;
-    let _e145 = height_7;
-    let _e150 = lost_11;
+    let _e145 = height_9;
+    let _e150 = lost_12;
     let _e154 = gabor_impl_material(_e143, (strata.relief * _e145), ((strata.relief * strata.relief) * _e150), strata.roughness, 0f);
     return _e154;
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_41: GaborPixel;
+    var pixel_43: GaborPixel;
     var rock_2: GaborWarped;
     var of_15: GaborPairs;
-    var i_31: i32 = 0i;
+    var i_35: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_41 = _e8;
-    let _e10 = pixel_41;
+    pixel_43 = _e8;
+    let _e10 = pixel_43;
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_15 = _e13;
     loop {
-        let _e17 = i_31;
+        let _e17 = i_35;
         if !((_e17 < 4i)) {
             break;
         }
         let _e25 = of_15;
-        let _e27 = i_31;
-        let _e28 = pixel_41;
+        let _e27 = i_35;
+        let _e28 = pixel_43;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_15.a = _e31;
         continuing {
-            let _e21 = i_31;
-            i_31 = (_e21 + 1i);
+            let _e21 = i_35;
+            i_35 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_41;
+    let _e34 = pixel_43;
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_15.b = _e37;
-    let _e40 = pixel_41;
+    let _e40 = pixel_43;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_15.c = _e43;
-    let _e46 = pixel_41;
+    let _e46 = pixel_43;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
     of_15.d = _e49;
-    let _e52 = pixel_41;
+    let _e52 = pixel_43;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
@@ -3519,34 +3694,34 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_42: GaborPixel;
+    var pixel_44: GaborPixel;
     var board_5: GaborWarped;
     var of_16: GaborPairs;
-    var i_32: i32 = 0i;
+    var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_42 = _e6;
-    let _e8 = pixel_42;
+    pixel_44 = _e6;
+    let _e8 = pixel_44;
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_16 = _e11;
     loop {
-        let _e15 = i_32;
+        let _e15 = i_36;
         if !((_e15 < 3i)) {
             break;
         }
-        let _e23 = i_32;
-        let _e24 = pixel_42;
+        let _e23 = i_36;
+        let _e24 = pixel_44;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_42;
+        let _e27 = pixel_44;
         gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
         continuing {
-            let _e19 = i_32;
-            i_32 = (_e19 + 1i);
+            let _e19 = i_36;
+            i_36 = (_e19 + 1i);
         }
     }
-    let _e29 = pixel_42;
+    let _e29 = pixel_44;
     let _e30 = board_5;
     let _e31 = of_16;
     let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
@@ -3554,221 +3729,99 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
+    var pixel_45: GaborPixel;
     var cloth_6: GaborWarped;
-    var count_8: vec2<f32>;
+    var count_10: vec2<f32>;
     var of_17: GaborPairs;
-    var i_33: i32 = 0i;
+    var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_43 = _e6;
-    let _e8 = pixel_43;
+    pixel_45 = _e6;
+    let _e8 = pixel_45;
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
-    let _e11 = pixel_43;
+    let _e11 = pixel_45;
     let _e14 = gabor_impl_repeated(_e11, fabric.threads, 2f);
-    count_8 = _e14;
+    count_10 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_17 = _e16;
     loop {
-        let _e20 = i_33;
+        let _e20 = i_37;
         if !((_e20 < 4i)) {
             break;
         }
-        let _e28 = i_33;
+        let _e28 = i_37;
         let _e29 = cloth_6;
-        let _e30 = count_8;
+        let _e30 = count_10;
         let _e31 = gabor_impl_fabric_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_43;
+        let _e32 = pixel_45;
         gabor_impl_add_filtered_spots((&of_17), _e31, _e32);
         continuing {
-            let _e24 = i_33;
-            i_33 = (_e24 + 1i);
+            let _e24 = i_37;
+            i_37 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_43;
+    let _e34 = pixel_45;
     let _e35 = cloth_6;
-    let _e36 = count_8;
+    let _e36 = count_10;
     let _e37 = of_17;
     let _e38 = gabor_impl_fabric(_e34, _e35, _e36, fabric, _e37);
     return _e38;
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_44: GaborPixel;
+    var pixel_46: GaborPixel;
     var cloth_7: GaborWarped;
-    var count_9: vec2<f32>;
+    var count_11: vec2<f32>;
     var of_18: GaborPairs;
-    var i_34: i32 = 0i;
+    var i_38: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_44 = _e6;
-    let _e8 = pixel_44;
+    pixel_46 = _e6;
+    let _e8 = pixel_46;
     let _e9 = gabor_impl_twill(_e8, seed);
     cloth_7 = _e9;
-    let _e11 = pixel_44;
+    let _e11 = pixel_46;
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
-    count_9 = _e14;
+    count_11 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_18 = _e16;
     loop {
-        let _e20 = i_34;
+        let _e20 = i_38;
         if !((_e20 < 2i)) {
             break;
         }
-        let _e28 = i_34;
+        let _e28 = i_38;
         let _e29 = cloth_7;
-        let _e30 = count_9;
+        let _e30 = count_11;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_44;
+        let _e32 = pixel_46;
         gabor_impl_add_filtered_spots((&of_18), _e31, _e32);
         continuing {
-            let _e24 = i_34;
-            i_34 = (_e24 + 1i);
+            let _e24 = i_38;
+            i_38 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_44;
+    let _e34 = pixel_46;
     let _e35 = cloth_7;
-    let _e36 = count_9;
+    let _e36 = count_11;
     let _e37 = of_18;
     let _e38 = gabor_impl_carbon_fibre(_e34, _e35, _e36, fibres, _e37);
     return _e38;
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_45: GaborPixel;
+    var pixel_47: GaborPixel;
     var skin_5: GaborWarped;
     var of_19: GaborPairs;
-    var i_35: i32 = 0i;
-    var i_36: i32 = 4i;
-    var pair_4: GaborPair;
+    var i_39: i32 = 0i;
+    var a_18: GaborLayer;
+    var b_18: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_45 = _e6;
-    let _e8 = pixel_45;
+    pixel_47 = _e6;
+    let _e8 = pixel_47;
     let _e9 = gabor_impl_skin(_e8, leather, seed);
     skin_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_19 = _e11;
-    loop {
-        let _e15 = i_35;
-        if !((_e15 < 4i)) {
-            break;
-        }
-        let _e23 = i_35;
-        let _e24 = pixel_45;
-        let _e25 = skin_5;
-        let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        let _e27 = pixel_45;
-        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
-        continuing {
-            let _e19 = i_35;
-            i_35 = (_e19 + 1i);
-        }
-    }
-    loop {
-        let _e31 = i_36;
-        if !((_e31 < 6i)) {
-            break;
-        }
-        {
-            let _e38 = i_36;
-            let _e39 = pixel_45;
-            let _e40 = skin_5;
-            let _e41 = gabor_impl_leather_layer(_e38, _e39, _e40, leather, seed);
-            let _e42 = pixel_45;
-            let _e43 = gabor_impl_filtered_waves(_e41, _e42);
-            pair_4 = _e43;
-            let _e45 = i_36;
-            if (_e45 == 4i) {
-                let _e49 = pair_4;
-                of_19.c = _e49;
-            } else {
-                let _e51 = pair_4;
-                of_19.d = _e51;
-            }
-        }
-        continuing {
-            let _e35 = i_36;
-            i_36 = (_e35 + 1i);
-        }
-    }
-    let _e52 = of_19;
-    let _e53 = gabor_impl_leather(leather, _e52);
-    return _e53;
-}
-
-fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_46: GaborPixel;
-    var stone_4: GaborWarped;
-    var of_20: GaborPairs;
-    var i_37: i32 = 0i;
-    var material_1: GaborMaterial;
-    var i_38: i32 = 4i;
-    var layer_9: GaborLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_46 = _e6;
-    let _e8 = pixel_46;
-    let _e9 = gabor_impl_stone(_e8, marble, seed);
-    stone_4 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_20 = _e11;
-    loop {
-        let _e15 = i_37;
-        if !((_e15 < 4i)) {
-            break;
-        }
-        let _e23 = i_37;
-        let _e24 = pixel_46;
-        let _e25 = stone_4;
-        let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_46;
-        gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
-        continuing {
-            let _e19 = i_37;
-            i_37 = (_e19 + 1i);
-        }
-    }
-    let _e29 = of_20;
-    let _e31 = of_20;
-    let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
-    material_1 = _e33;
-    loop {
-        let _e37 = i_38;
-        if !((_e37 < 8i)) {
-            break;
-        }
-        {
-            let _e44 = i_38;
-            let _e45 = pixel_46;
-            let _e46 = stone_4;
-            let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
-            layer_9 = _e47;
-            let _e50 = i_38;
-            let _e51 = layer_9;
-            let _e52 = pixel_46;
-            let _e53 = gabor_impl_filtered_waves(_e51, _e52);
-            gabor_impl_add_veins((&material_1), marble, _e50, _e53);
-        }
-        continuing {
-            let _e41 = i_38;
-            i_38 = (_e41 + 1i);
-        }
-    }
-    let _e55 = material_1;
-    return _e55;
-}
-
-fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_47: GaborPixel;
-    var dune_3: GaborWarped;
-    var of_21: GaborPairs;
-    var i_39: i32 = 0i;
-    var ripples_2: GaborLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_47 = _e6;
-    let _e8 = pixel_47;
-    let _e9 = gabor_impl_dune(_e8, seed);
-    dune_3 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_21 = _e11;
     loop {
         let _e15 = i_39;
         if !((_e15 < 4i)) {
@@ -3776,21 +3829,135 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         }
         let _e23 = i_39;
         let _e24 = pixel_47;
-        let _e25 = dune_3;
-        let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
+        let _e25 = skin_5;
+        let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
         let _e27 = pixel_47;
-        gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
             let _e19 = i_39;
             i_39 = (_e19 + 1i);
         }
     }
     let _e30 = pixel_47;
+    let _e31 = skin_5;
+    let _e32 = gabor_impl_leather_layer(4i, _e30, _e31, leather, seed);
+    a_18 = _e32;
+    let _e35 = pixel_47;
+    let _e36 = skin_5;
+    let _e37 = gabor_impl_leather_layer(5i, _e35, _e36, leather, seed);
+    b_18 = _e37;
+    let _e40 = a_18;
+    let _e41 = gabor_impl_waves_pair(_e40);
+    of_19.c = _e41;
+    let _e43 = b_18;
+    let _e44 = gabor_impl_waves_pair(_e43);
+    of_19.d = _e44;
+    let _e45 = pixel_47;
+    let _e46 = a_18;
+    let _e47 = gabor_impl_turns(_e46);
+    let _e48 = b_18;
+    let _e49 = gabor_impl_turns(_e48);
+    let _e50 = of_19;
+    let _e51 = gabor_impl_leather(_e45, leather, _e47, _e49, _e50);
+    return _e51;
+}
+
+fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    var pixel_48: GaborPixel;
+    var stone_4: GaborWarped;
+    var of_20: GaborPairs;
+    var i_40: i32 = 0i;
+    var material_1: GaborMaterial;
+    var i_41: i32 = 4i;
+    var layer_10: GaborLayer;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_48 = _e6;
+    let _e8 = pixel_48;
+    let _e9 = gabor_impl_stone(_e8, marble, seed);
+    stone_4 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_20 = _e11;
+    loop {
+        let _e15 = i_40;
+        if !((_e15 < 4i)) {
+            break;
+        }
+        let _e23 = i_40;
+        let _e24 = pixel_48;
+        let _e25 = stone_4;
+        let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
+        let _e27 = pixel_48;
+        gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
+        continuing {
+            let _e19 = i_40;
+            i_40 = (_e19 + 1i);
+        }
+    }
+    let _e29 = of_20;
+    let _e31 = of_20;
+    let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
+    material_1 = _e33;
+    loop {
+        let _e37 = i_41;
+        if !((_e37 < 8i)) {
+            break;
+        }
+        {
+            let _e44 = i_41;
+            let _e45 = pixel_48;
+            let _e46 = stone_4;
+            let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
+            layer_10 = _e47;
+            let _e50 = i_41;
+            let _e51 = layer_10;
+            let _e52 = pixel_48;
+            let _e53 = gabor_impl_filtered_waves(_e51, _e52);
+            gabor_impl_add_veins((&material_1), marble, _e50, _e53);
+        }
+        continuing {
+            let _e41 = i_41;
+            i_41 = (_e41 + 1i);
+        }
+    }
+    let _e55 = material_1;
+    return _e55;
+}
+
+fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
+    var pixel_49: GaborPixel;
+    var dune_3: GaborWarped;
+    var of_21: GaborPairs;
+    var i_42: i32 = 0i;
+    var ripples_2: GaborLayer;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_49 = _e6;
+    let _e8 = pixel_49;
+    let _e9 = gabor_impl_dune(_e8, seed);
+    dune_3 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_21 = _e11;
+    loop {
+        let _e15 = i_42;
+        if !((_e15 < 4i)) {
+            break;
+        }
+        let _e23 = i_42;
+        let _e24 = pixel_49;
+        let _e25 = dune_3;
+        let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
+        let _e27 = pixel_49;
+        gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
+        continuing {
+            let _e19 = i_42;
+            i_42 = (_e19 + 1i);
+        }
+    }
+    let _e30 = pixel_49;
     let _e31 = dune_3;
     let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
     ripples_2 = _e32;
     let _e35 = ripples_2;
-    let _e36 = pixel_47;
+    let _e36 = pixel_49;
     let _e37 = gabor_impl_filtered_waves(_e35, _e36);
     of_21.c = _e37;
     let _e38 = ripples_2;
@@ -3800,33 +3967,33 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_48: GaborPixel;
+    var pixel_50: GaborPixel;
     var sum_27: GaborPair;
-    var i_40: i32 = 0i;
-    var layer_10: GaborLayer;
+    var i_43: i32 = 0i;
+    var layer_11: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_48 = _e6;
+    pixel_50 = _e6;
     let _e8 = gabor_impl_no_pair();
     sum_27 = _e8;
     loop {
-        let _e12 = i_40;
+        let _e12 = i_43;
         if !((_e12 < 5i)) {
             break;
         }
         {
-            let _e19 = i_40;
-            let _e20 = pixel_48;
+            let _e19 = i_43;
+            let _e20 = pixel_50;
             let _e21 = gabor_impl_streaks_layer(_e19, _e20, metal, seed);
-            layer_10 = _e21;
-            let _e24 = i_40;
-            let _e25 = layer_10;
-            let _e26 = pixel_48;
+            layer_11 = _e21;
+            let _e24 = i_43;
+            let _e25 = layer_11;
+            let _e26 = pixel_50;
             let _e27 = gabor_impl_filtered_spots(_e25, _e26);
             gabor_impl_add_streaks((&sum_27), _e24, _e27);
         }
         continuing {
-            let _e16 = i_40;
-            i_40 = (_e16 + 1i);
+            let _e16 = i_43;
+            i_43 = (_e16 + 1i);
         }
     }
     let _e29 = sum_27;
@@ -3835,26 +4002,26 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_49: GaborPixel;
+    var pixel_51: GaborPixel;
     var sum_28: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_41: i32 = 0i;
+    var i_44: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_49 = _e6;
+    pixel_51 = _e6;
     loop {
-        let _e21 = i_41;
+        let _e21 = i_44;
         if !((_e21 < 14i)) {
             break;
         }
-        let _e29 = i_41;
-        let _e30 = i_41;
-        let _e31 = pixel_49;
+        let _e29 = i_44;
+        let _e30 = i_44;
+        let _e31 = pixel_51;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = pixel_49;
+        let _e33 = pixel_51;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
         gabor_impl_add_scratches((&sum_28), scratches, _e29, _e34);
         continuing {
-            let _e25 = i_41;
-            i_41 = (_e25 + 1i);
+            let _e25 = i_44;
+            i_44 = (_e25 + 1i);
         }
     }
     let _e36 = sum_28;
@@ -3863,43 +4030,43 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_50: GaborPixel;
+    var pixel_52: GaborPixel;
     var skin_6: GaborWarped;
     var direction_3: f32;
     var of_22: GaborPairs;
-    var i_42: i32 = 0i;
+    var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_50 = _e6;
-    let _e8 = pixel_50;
+    pixel_52 = _e6;
+    let _e8 = pixel_52;
     let _e9 = gabor_impl_hide(_e8, seed);
     skin_6 = _e9;
-    let _e11 = pixel_50;
+    let _e11 = pixel_52;
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
     of_22 = _e14;
     loop {
-        let _e18 = i_42;
+        let _e18 = i_45;
         if !((_e18 < 2i)) {
             break;
         }
-        let _e26 = i_42;
-        let _e27 = pixel_50;
+        let _e26 = i_45;
+        let _e27 = pixel_52;
         let _e28 = skin_6;
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        let _e31 = pixel_50;
+        let _e31 = pixel_52;
         gabor_impl_add_filtered_spots((&of_22), _e30, _e31);
         continuing {
-            let _e22 = i_42;
-            i_42 = (_e22 + 1i);
+            let _e22 = i_45;
+            i_45 = (_e22 + 1i);
         }
     }
-    let _e35 = pixel_50;
+    let _e35 = pixel_52;
     let _e36 = skin_6;
     let _e37 = direction_3;
     let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
-    let _e39 = pixel_50;
+    let _e39 = pixel_52;
     let _e40 = gabor_impl_filtered_waves(_e38, _e39);
     of_22.c = _e40;
     let _e41 = of_22;
@@ -3908,49 +4075,49 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_51: GaborPixel;
+    var pixel_53: GaborPixel;
     var trunk_3: GaborWarped;
     var of_23: GaborPairs;
-    var i_43: i32 = 0i;
-    var i_44: i32 = 6i;
+    var i_46: i32 = 0i;
+    var i_47: i32 = 6i;
     var pair_5: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_51 = _e6;
-    let _e8 = pixel_51;
+    pixel_53 = _e6;
+    let _e8 = pixel_53;
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_23 = _e11;
     loop {
-        let _e15 = i_43;
+        let _e15 = i_46;
         if !((_e15 < 6i)) {
             break;
         }
-        let _e23 = i_43;
-        let _e24 = pixel_51;
+        let _e23 = i_46;
+        let _e24 = pixel_53;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        let _e27 = pixel_51;
+        let _e27 = pixel_53;
         gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
-            let _e19 = i_43;
-            i_43 = (_e19 + 1i);
+            let _e19 = i_46;
+            i_46 = (_e19 + 1i);
         }
     }
     loop {
-        let _e31 = i_44;
+        let _e31 = i_47;
         if !((_e31 < 8i)) {
             break;
         }
         {
-            let _e38 = i_44;
-            let _e39 = pixel_51;
+            let _e38 = i_47;
+            let _e39 = pixel_53;
             let _e40 = trunk_3;
             let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
-            let _e42 = pixel_51;
+            let _e42 = pixel_53;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_5 = _e43;
-            let _e45 = i_44;
+            let _e45 = i_47;
             if (_e45 == 6i) {
                 let _e49 = pair_5;
                 of_23.c = _e49;
@@ -3960,8 +4127,8 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             }
         }
         continuing {
-            let _e35 = i_44;
-            i_44 = (_e35 + 1i);
+            let _e35 = i_47;
+            i_47 = (_e35 + 1i);
         }
     }
     let _e52 = of_23;
@@ -3970,31 +4137,31 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_52: GaborPixel;
+    var pixel_54: GaborPixel;
     var rock_3: GaborWarped;
     var of_24: GaborPairs;
-    var i_45: i32 = 0i;
+    var i_48: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_52 = _e6;
-    let _e8 = pixel_52;
+    pixel_54 = _e6;
+    let _e8 = pixel_54;
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_24 = _e11;
     loop {
-        let _e15 = i_45;
+        let _e15 = i_48;
         if !((_e15 < 8i)) {
             break;
         }
-        let _e23 = i_45;
-        let _e24 = pixel_52;
+        let _e23 = i_48;
+        let _e24 = pixel_54;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        let _e27 = pixel_52;
+        let _e27 = pixel_54;
         gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
-            let _e19 = i_45;
-            i_45 = (_e19 + 1i);
+            let _e19 = i_48;
+            i_48 = (_e19 + 1i);
         }
     }
     let _e29 = of_24;
@@ -4009,7 +4176,7 @@ fn gabor_roughness(material: GaborMaterial) -> f32 {
     alpha = (material.roughness * material.roughness);
     let _e5 = alpha;
     let _e6 = alpha;
-    return sqrt(sqrt(min((((_e5 * _e6) + material.lost.x) + material.lost.y), 1f)));
+    return sqrt(sqrt(min(((_e5 * _e6) + (0.61f * (material.lost.x + material.lost.y))), 1f)));
 }
 
 fn gabor_wood_default() -> GaborWood {

@@ -59,8 +59,8 @@ T parameters_of(const Numbers& numbers) {
 // clang-format on
 const Material materials[]{
     MADE(GaborWood, gabor_wood, 2e-4f, 0.15, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
-    MADE(GaborFabric, gabor_fabric, 2e-4f, 0.01, 0.12, Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}}),
-    MADE(GaborLeather, gabor_leather, 1e-3f, 0.1, 0.23, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
+    MADE(GaborFabric, gabor_fabric, 2e-4f, 0.1, 0.09, Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}}),
+    MADE(GaborLeather, gabor_leather, 1e-3f, 0.25, 0.1, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
     MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
     MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
     MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.03,
@@ -68,8 +68,8 @@ const Material materials[]{
     MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
          Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
     MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08, Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
-    MADE(GaborBark, gabor_bark, 4e-4f, 0.36, 0.2, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
-    MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.21, Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
+    MADE(GaborBark, gabor_bark, 4e-4f, 0.36, 0.17, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
+    MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.13, Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
     MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
 
 double wide(float x) {
@@ -146,8 +146,8 @@ TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]
             fmt::print("  {:<13} pixel {:.3f}: slopes off by {:.4f} of their rms, {} creases\n", m.name,
                        pixel, std::sqrt(error) / rms, creases);
             INFO(m.name << ", pixel " << pixel);
-            CHECK(std::sqrt(error) / rms < (pixel > 0 ? m.fixed : 0.01));
-            CHECK(creases < points / 10);
+            CHECK(std::sqrt(error) <= (pixel > 0 ? m.fixed : 0.01) * rms);
+            CHECK(creases < points / 5); // a filtered weave has the creases of 16 samples
         }
 }
 
@@ -232,6 +232,6 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
         }
         fmt::print("  {:<13} means off by {:.4f} and three standard errors\n", m.name, largest);
         INFO(m.name);
-        CHECK(largest < (m.name == std::string_view("fabric") ? 0.04 : 0.015));
+        CHECK(largest < (0.015));
     }
 }

@@ -84,8 +84,9 @@ class Bodies(OutputsTest):
                 self.assertGreater(inside.mean(), 0.1)
                 self.assertGreater(seen[inside].std(), 3)
                 off = np.abs(seen - 255 * colours).max(axis=2)[inside]
-                # On bodies, copied code takes the slopes of stripes from the quad's derivatives, and the viewer from the next pixel.
-                share, most = (0.98, 20) if name == "stripes" else (0.99, 1.5)
+                # On bodies, copied code takes the slopes of stripes and the pixels of filters from the quad's derivatives, and the
+                # viewer from the next pixel.
+                share, most = {"stripes": (0.98, 20), "leather": (0.95, 1.5)}.get(name, (0.99, 1.5))
                 print(f"{name}: the copied code is off by {np.quantile(off, share):.2f} of 255 in {share:.0%}")
                 self.assertLess(np.quantile(off, share), most)
 
