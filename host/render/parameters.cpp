@@ -174,6 +174,13 @@ Place by_name(Get get, Put put) {
             [put](Request& request, const Value& value) { put(request, std::get<std::string>(value)); }};
 }
 
+Place by_index(int Request::*index, std::span<const std::string_view> names) {
+    return by_name([=](const Request& r) { return names[static_cast<std::size_t>(r.*index)]; },
+                   [=](Request& r, const std::string& name) {
+                       r.*index = static_cast<int>(std::ranges::find(names, name) - names.begin());
+                   });
+}
+
 template <typename Named>
 std::vector<std::string_view> names_of(const Named& named) {
     std::vector<std::string_view> names;
@@ -309,19 +316,18 @@ std::vector<Parameter> light_rows() {
             "Angle of the light above the surface", in_request(&Request::light_elevation)),
         row("environment", Kind::choice, "", none, none, scopes::lamps,
             "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
-            by_name([](const Request& r) { return environments.at(static_cast<std::size_t>(r.environment)); },
-                    [](Request& r, const std::string& name) {
-                        r.environment =
-                            static_cast<int>(std::ranges::find(environments, name) - environments.begin());
-                    }),
-            {environments.begin(), environments.end()}),
+            by_index(&Request::environment, environments), {environments.begin(), environments.end()}),
     };
 }
 
 std::vector<Parameter> terrain_rows() {
-    return {row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
-                "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
-                in_view(&Terrain::extent))};
+    return {
+        row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
+            "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
+            in_view(&Terrain::extent)),
+        row("cover", Kind::choice, "", none, none, scopes::terrain,
+            "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
+            by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
 }
 
 std::vector<Parameter> sea_rows() {

@@ -319,6 +319,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     const Terrain& terrain = std::get<Terrain>(request.view);
     auto push = push_of<passes::TerrainPush>(viewport.region);
     push.seed = request.seed;
+    push.cover = request.cover;
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(request));

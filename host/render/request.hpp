@@ -73,6 +73,9 @@ struct Sea {
 /// What can surround a lit surface, as in shaders/passes/light.glsl.
 inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
 
+/// What can cover terrain, as in shaders/passes/landscape.glsl.
+inline constexpr std::array<std::string_view, 4> covers{"alpine", "meadow", "desert", "badlands"};
+
 using View = std::variant<Plane, Horizon, Slice, Body, Terrain, Sea>;
 
 /// The value of `material` that draws the noise itself.
@@ -96,6 +99,7 @@ struct Request {
                                                                  ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
+    int cover = 0;          ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see

@@ -228,7 +228,7 @@ void material_panel(Session& session) {
 }
 
 void terrain_panel(Session& session) {
-    controls(session, {"scale", "seed", "extent"});
+    controls(session, {"scale", "seed", "extent", "cover"});
     controls_of(session, render::Parameter::Group::erosion);
 }
 

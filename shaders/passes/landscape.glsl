@@ -8,6 +8,7 @@ struct Ground {
     GaborErosion erosion;
     float reach; // the most that erosion adds to the hills
     vec2 sun;    // x and y of the unit vector towards the sun
+    int cover;   // alpine, meadow, desert or badlands: 0 to 3
 };
 
 vec3 sun_of(Ground ground) {
@@ -34,25 +35,53 @@ vec3 normal_of(GaborTerrain here) {
 vec3 ground_layers(float height, float ridge, float steep) {
     float scree = smoothstep(-0.3, 0.35, height + 0.1 * ridge);
     float rock = smoothstep(0.55, 1.0, steep);
-    float snow = smoothstep(0.42, 0.62, height + 0.08 * ridge) * (1.0 - smoothstep(0.9, 1.5, steep));
+    float snow = smoothstep(0.42, 0.62, height + 0.08 * ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
     return vec3(scree, rock, snow);
 }
 
-vec3 ground_colour(GaborTerrain here, vec3 normal) {
-    vec3 layers = ground_layers(here.height, here.ridge, length(normal.xz) / normal.y);
-    vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145), layers.x);
-    return mix(mix(colour, vec3(0.26, 0.23, 0.205), layers.y), vec3(0.68, 0.7, 0.73), layers.z);
+// The share of pale layers in rock whose layers are level, for a pixel that spans the height `span`.
+float pale_layers(float height, float span) {
+    vec2 turns = vec2(5.3, 13.7) * height, kept = exp(-4.9348022 * span * span * vec2(5.3, 13.7) * vec2(5.3, 13.7));
+    vec2 wave = kept * sin(6.2831853 * (turns + 0.15 * sin(6.2831853 * 0.37 * turns.yx)));
+    return 0.5 + 0.3 * wave.x + 0.2 * wave.y;
+}
+
+vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
+    float steep = length(normal.xz) / normal.y;
+    vec3 layers = ground_layers(here.height, here.ridge, steep);
+    if (ground.cover == 0) { // grass, scree, rock and snow
+        vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145), layers.x);
+        return mix(mix(colour, vec3(0.26, 0.23, 0.205), layers.y), vec3(0.68, 0.7, 0.73), layers.z);
+    }
+    if (ground.cover == 1) { // grass, dry where it is high or steep
+        vec3 colour = mix(vec3(0.085, 0.15, 0.035), vec3(0.21, 0.2, 0.075), smoothstep(-0.4, 0.6, here.height + 0.2 * here.ridge));
+        return mix(colour, vec3(0.27, 0.24, 0.19), smoothstep(0.9, 1.7, steep));
+    }
+    float pale = pale_layers(here.height, pixel * steep);
+    if (ground.cover == 2) // sand below layered cliffs
+        return mix(mix(vec3(0.4, 0.25, 0.13), vec3(0.46, 0.3, 0.18), layers.x),
+                   mix(vec3(0.34, 0.125, 0.06), vec3(0.56, 0.33, 0.19), pale), smoothstep(0.25, 0.7, steep));
+    vec3 clay = mix(vec3(0.3, 0.17, 0.13), vec3(0.5, 0.43, 0.34), pale); // layered clay above pale wash
+    return mix(vec3(0.47, 0.42, 0.34), clay, smoothstep(-0.15, 0.3, steep - 0.5 - 0.3 * min(here.ridge, 0.0)));
+}
+
+// The colour of sunlight, which is warm where the sun is low: the air takes more blue than red.
+vec3 sun_colour(vec3 sun) {
+    return 1.66 * exp(-vec3(0.16, 0.2, 0.28) / (sun.y + 0.06));
 }
 
 vec3 sunlit(vec3 sun, GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {
     float open = 1.0 + 0.25 * clamp(here.ridge, -1.0, 1.0); // creases see less of the sky
-    vec3 light = vec3(1.32, 1.23, 1.08) * max(dot(normal, sun), 0.0) * sunlight + vec3(0.2, 0.25, 0.33) * (0.5 + 0.5 * normal.y);
+    vec3 light = sun_colour(sun) * max(dot(normal, sun), 0.0) * sunlight
+               + mix(vec3(0.2, 0.17, 0.13), vec3(0.24, 0.31, 0.42), 0.5 + 0.5 * normal.y); // from the ground and the sky
     return open * light * colour;
 }
 
 vec3 sky_along(vec3 sun, vec3 ray) {
-    float glow = 0.3 * pow(max(dot(ray, sun), 0.0), 8.0) + 2.0 * pow(max(dot(ray, sun), 0.0), 2000.0);
-    return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
+    float toward = max(dot(ray, sun), 0.0);
+    float glow = 0.3 * pow(toward, 8.0) + 2.0 * pow(toward, 2000.0);
+    vec3 low = mix(vec3(0.66, 0.5, 0.36), vec3(0.5, 0.6, 0.7), smoothstep(0.0, 0.45, sun.y + 0.2 * (1.0 - toward)));
+    return mix(vec3(0.1, 0.23, 0.5), low, exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
 
 // The height of a point above the ground. If the point is more than `margin` above anything that erosion could add to the
@@ -64,30 +93,58 @@ float height_above(Ground ground, vec3 at, float pixel, float margin, out float 
     stride = 0.45 * above;
     if (above > margin) return above;
     above = at.y - ground_on(ground, at.xz, pixel, hills).height;
-    stride = 0.16 * above;
+    stride = 0.1 * above;
     return above;
 }
 
-// The distance along the ray to the ground, or -1. Far above the ground, details too small to reach the ray are left out.
-// `wide` is the width of a pixel at distance 1.
-float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
-    float t = 0.0, before = 0.0, above = 0.0, stride;
-    for (int i = 0; i < 400 && t < far; ++i) {
+// Where a ray meets the ground, or -1; where it passed closest to an edge before, and how much of the pixel that covers.
+struct RayEnd {
+    float ground;
+    float edge;
+    float covered;
+};
+
+// Far above the ground, details too small to reach the ray are left out. Where a parabola through the last three heights above
+// the ground comes close to it, the next step returns to its vertex. `wide` is the width of a pixel at distance 1.
+RayEnd end_of_ray(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
+    vec3 steps = vec3(0.0), heights = vec3(1.0e9); // the last three, the latest first
+    float t = 0.0, above = 0.0, resumed = -1.0, stride;
+    RayEnd end = RayEnd(-1.0, 0.0, 0.0);
+    for (int i = 0; i < 500 && t < far; ++i) {
         vec3 at = eye + t * ray;
         if (at.y > 1.0 + ground.reach && ray.y > 0.0) break;
         above = height_above(ground, at, max(wide * t, 0.3 * above), 0.5 * ground.reach, stride);
         if (above < 0.0) { // the ground is between the last two steps
+            float before = resumed > 0.0 ? steps.z : steps.x;
             for (int j = 0; j < 6; ++j) {
                 float middle = 0.5 * (before + t);
                 vec3 there = eye + middle * ray;
                 if (there.y > ground_at(ground, there.xz, wide * middle).height) before = middle; else t = middle;
             }
-            return t;
+            end.ground = t;
+            if (t - end.edge < 8.0 * wide * t) end.covered = 0.0; // the same slope
+            break;
         }
-        before = t;
+        float covered = 1.0 - above / (wide * t);
+        if (covered > end.covered) end = RayEnd(-1.0, t, covered);
+        if (resumed > 0.0) {
+            t = resumed;
+            resumed = -1.0;
+            continue;
+        }
+        steps = vec3(t, steps.xy);
+        heights = vec3(above, heights.xy);
         t += max(stride, wide * t);
+        if (heights.y < min(heights.x, heights.z)) {
+            vec2 far = steps.xz - steps.y, rise = (heights.xz - heights.y) / far; // before and after the lowest of the three
+            float bend = (rise.x - rise.y) / (far.x - far.y), vertex = -0.5 * (rise.x - bend * far.x) / bend;
+            if (heights.y - bend * vertex * vertex < 2.0 * wide * steps.y) {
+                resumed = t;
+                t = steps.y + vertex;
+            }
+        }
     }
-    return -1.0;
+    return end;
 }
 
 // How much of the sun is visible from a point on the ground, for a pixel that is `pixel` wide there. The ground that casts the
@@ -118,25 +175,35 @@ RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
     hit.ground = ground_on(ground, p, pixel, hills);
     hit.added = hit.ground.height - hills.height;
     vec3 normal = normal_of(hit.ground);
-    hit.colour = ground_colour(hit.ground, normal);
+    hit.colour = ground_colour(ground, hit.ground, normal, pixel);
     hit.light = sunlit(sun_of(ground), hit.ground, normal, hit.colour, 1.0);
     return hit;
 }
 
-// The ground or sky along a ray. Raises an eye that is too low. `clear` is the distance at which air begins to hide the ground.
-RayHit seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
-    vec3 sun = sun_of(ground);
-    eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
-    RayHit hit = RayHit(GaborTerrain(0.0, vec2(0.0), 0.0, vec3(0.0), vec2(0.0)), 0.0, vec3(0.0), sky_along(sun, ray));
-    float t = distance_to_ground(ground, eye, ray, wide, 6.0 * clear);
-    if (t < 0.0) return hit;
-    vec3 at = eye + t * ray;
-    hit = seen_from_above(ground, at.xz, wide * t);
+// The ground at the distance t along a ray. Air begins to hide it at the distance `clear`.
+RayHit ground_along(Ground ground, vec3 eye, vec3 ray, float t, float wide, float clear) {
+    vec3 sun = sun_of(ground), at = eye + t * ray;
+    RayHit hit = seen_from_above(ground, at.xz, wide * t);
     vec3 normal = normal_of(hit.ground);
     float sunlight = dot(normal, sun) > 0.0 ? sunlight_at(ground, at + 0.004 * normal, wide * t) : 0.0;
-    hit.light = sunlit(sun, hit.ground, normal, hit.colour, sunlight);
     vec3 air = sky_along(sun, normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
-    hit.light = mix(air, hit.light, exp(-0.25 * t * t / (clear * clear)));
+    hit.light = mix(air, sunlit(sun, hit.ground, normal, hit.colour, sunlight), exp(-0.1 * t * t / (clear * clear)));
+    return hit;
+}
+
+// The ground or sky along a ray. Raises an eye that is too low.
+RayHit seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
+    eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
+    GaborTerrain none = GaborTerrain(0.0, vec2(0.0), 0.0, vec3(0.0), vec2(0.0));
+    RayHit hit = RayHit(none, 0.0, vec3(0.0), sky_along(sun_of(ground), ray));
+    RayEnd end = end_of_ray(ground, eye, ray, wide, 6.0 * clear);
+    for (int i = 0; i < 2; ++i) { // what lies behind an edge, then the edge
+        float t = i == 0 ? end.ground : end.edge, share = i == 0 ? 1.0 : end.covered;
+        if (t < 0.0 || share <= 0.0) continue;
+        RayHit near = ground_along(ground, eye, ray, t, wide, clear);
+        near.light = mix(hit.light, near.light, share);
+        hit = near;
+    }
     return hit;
 }
 

@@ -24,7 +24,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
-    Ground ground = Ground(cell, period, seed, table, reach, sun);
+    Ground ground = Ground(cell, period, seed, table, reach, sun, cover);
     RayHit hit = seen_in_pixel(ground, corner, view == view_terrain ? 0.0 : distance, yaw, pitch, center, pixel, place);
     for (int i = 0; i < 3; ++i) {
         picture[at + terrain_colour + i] = hit.colour[i];

@@ -285,7 +285,7 @@ class Erode(ProgramTest):
             relative = 2 * (out["height"].astype(float) - known.min()) / np.ptp(known) - 1
             slope = np.hypot(out["slope.x"], out["slope.y"]).astype(float)
             scree, rock = smooth(-0.3, 0.35, relative + 0.1 * out["ridge"]), smooth(0.55, 1, slope)
-            snow = smooth(0.42, 0.62, relative + 0.08 * out["ridge"]) * (1 - smooth(0.9, 1.5, slope))
+            snow = smooth(0.42, 0.62, relative + 0.08 * out["ridge"]) * (1 - smooth(1.0, 1.9, slope))
             for name, wanted in {"ridge": np.maximum(out["ridge"], 0), "crease": np.maximum(-out["ridge"], 0),
                                  "slope": np.degrees(np.arctan(slope)), "erosion": out["erosion"],
                                  "grass": there * (1 - scree) * (1 - rock) * (1 - snow), "scree": there * scree * (1 - rock) * (1 - snow),
