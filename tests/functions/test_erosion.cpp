@@ -356,6 +356,28 @@ TEST_CASE("eroded tiles have no seam", "[erosion]") {
     check_tiles(Terrains<test::Lattice3>());
 }
 
+TEST_CASE("a mountain of twice the size is the same near the origin", "[erosion]") {
+    Terrains<test::Lattice3> terrains;
+    for (const auto& [distance, most] : {std::pair(10, 3e-4), {100, 3e-3}}) {
+        Largest largest;
+        Random random(19);
+        for (int i = 0; i < 10000; ++i) {
+            Sample one;
+            one.local =
+                random.uniform<gabor_vec2>(-static_cast<float>(distance), static_cast<float>(distance));
+            one.base = terrains.hills(one);
+            Sample twice = one;
+            twice.local = 2.0f * one.local;
+            twice.base->height *= 2;
+            for (double& curvature : twice.base->curvature)
+                curvature /= 2;
+            twice.erosion.frequency /= 2;
+            largest.see(terrains.eroded(twice).height / 2, terrains.eroded(one).height, most, one);
+        }
+        largest.check(fmt::format("up to {}", distance));
+    }
+}
+
 TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     Terrains<test::Lattice3> terrains;
     std::vector<Sample> samples = anywhere(1 << 17, 11);
