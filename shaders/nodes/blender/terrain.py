@@ -1,4 +1,4 @@
-"""Draws eroded mountains to terrain.jpg, with a grid that gabor_erosion.osl displaces. Run it with
+"""Draws eroded mountains to terrain.jpg, with a grid that gabor_erosion.osl displaces. After tools/package osl, run it with
 blender --background --python terrain.py, or in Python with the module bpy."""
 
 import math
@@ -24,7 +24,7 @@ bpy.context.object.data.materials.append(material)
 tree = material.node_tree
 
 mountains = tree.nodes.new("ShaderNodeScript")
-mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parent / "osl" / "gabor_erosion.osl")
+mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parents[2] / "build/packages/staged/osl/gabor_erosion.osl")
 cycles.osl.update_script_node(mountains, lambda kinds, message: print(message))
 mountains.inputs["Seed"].default_value = 7
 # Displacement does not change object coordinates.
