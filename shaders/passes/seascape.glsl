@@ -88,9 +88,14 @@ float foam_on(Sea sea, GaborWater w, vec2 p, float pixel) {
     float torn = 0.7 * gabor_noise(vec2(0.1, 0.3) * p, 0.4, 1.3, sea.seed) + 0.35 * gabor_noise(vec2(0.5, 1.1) * p, 0.6, 0.4, sea.seed)
                + 0.25 * gabor_noise(2.5 * p, 0.8, 2.0, sea.seed);
     float least = 0.5876 * log((1.0 - covered) / covered); // about the quantile of a normal distribution
-    float caps = smoothstep(least - 0.4, least + 0.9, torn + 0.58 * w.height / sea.high);
-    float folds = smoothstep(0.55, 0.05, w.fold) * smoothstep(-0.9, 0.6, torn);
-    return max(mix(caps, covered, blur), mix(folds, 0.0, blur));
+    float caps = smoothstep(least - 0.6, least + 1.8, torn + 0.58 * w.height / sea.high);
+    float folds = 0.9 * smoothstep(0.55, 0.0, w.fold) * smoothstep(-0.9, 0.6, torn);
+    float foam = max(mix(caps, covered, blur), mix(folds, 0.0, blur));
+    if (foam < 0.01) return foam;
+    // Thin foam is a net of bubbles, along the zeros of two noises.
+    vec2 bubbles = vec2(gabor_noise(vec2(1.1, 1.6) * p, 0.0, 0.0, sea.seed + 1u), gabor_noise(vec2(3.1, 4.2) * p, 0.0, 0.0, sea.seed + 2u));
+    vec2 net = exp(-bubbles * bubbles / vec2(0.16, 0.25));
+    return mix(smoothstep(0.0, 1.0, 1.9 * foam - 0.9 + 0.6 * net.x + 0.35 * net.y), foam, min(2.0 * pixel, 1.0));
 }
 
 // What a ray meets. For a ray into the sky, the water is 0.
