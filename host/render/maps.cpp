@@ -107,9 +107,9 @@ std::vector<float> averaged_from(std::span<const float> maps) {
     return averaged;
 }
 
-// Converts averages back to maps. The slopes that averaging removed make the surface rougher: alpha^2 = r^4
-// grows by twice their variance along an axis (an isotropic form of Olano and Baker, "LEAN mapping", 2010;
-// Walter et al. 2007 define alpha for Beckmann and GGX).
+// Converts averages back to maps. The slopes that averaging removed make the surface rougher, as in
+// gabor_roughness: alpha^2 = r^4 grows with their variance (an isotropic form of Olano and Baker, "LEAN
+// mapping", 2010).
 std::vector<float> maps_from(std::span<const float> averaged) {
     std::vector<float> maps(averaged.begin(), averaged.end());
     for (std::size_t i = 0; i < maps.size(); i += map_channels.size()) {
@@ -119,7 +119,7 @@ std::vector<float> maps_from(std::span<const float> averaged) {
         const float down = normal[1];
         // The variance of the lost slopes, summed over both axes.
         const float lost = std::max(normal[2] - right * right - down * down, 0.0f);
-        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + lost, 1.0f), 0.25f);
+        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + 0.61f * lost, 1.0f), 0.25f);
         const float length = std::sqrt(right * right + down * down + 1);
         normal[0] = -right / length;
         normal[1] = down / length;
