@@ -35,7 +35,7 @@ struct GaborMaterial {
     float height;    // height in units of p
     vec2 slope;      // derivatives of the height along x and y
     float roughness; // roughness as in glTF, without what the filter removed
-    float metalness; // 0 or 1
+    float metalness; // 0 or 1, or between them at the edges of patina
     vec3 lost;       // covariance of the slopes that the filter removed: xx, yy, xy
 };
 
@@ -73,7 +73,8 @@ struct GaborWood {
     float roughness; // roughness of the early wood, 0 to 1
 };
 
-// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
+// 3 x 3].
 struct GaborFabric {
     vec3 warp;        // colour of the threads along y
     vec3 weft;        // colour of the threads along x
@@ -82,6 +83,7 @@ struct GaborFabric {
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
+    float weave;      // plain weave, twill or herringbone, 0 to 2
 };
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
@@ -114,13 +116,15 @@ struct GaborSand {
     float roughness; // 0 to 1
 };
 
-// Streaks along x [5 noises; period 5 x 1].
+// Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    vec3 colour;     // colour of the metal
-    float streaks;   // number of the widest streaks per unit, 1 to 50
-    float contrast;  // contrast of the streaks, 0 to 0.5
-    float relief;    // height of the widest streaks, in units, 0 to 0.01
-    float roughness; // 0 to 1
+    vec3 colour;      // colour of the metal
+    vec3 patina;      // colour of the patina
+    float streaks;    // number of the widest streaks per unit, 1 to 50
+    float contrast;   // contrast of the streaks, 0 to 0.5
+    float relief;     // height of the widest streaks, in units, 0 to 0.01
+    float roughness;  // roughness of the metal, 0 to 1
+    float weathering; // amount of patina, 0 to 1
 };
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
@@ -801,10 +805,18 @@ GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, vec2 count, uint se
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
-vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend) {
+// 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
+float gabor_impl_over(float x, float y, float weave) {
+    if (weave < 0.5) return fract(0.5 * (x + y)) > 0.25 ? -1.0 : 1.0;
+    if (weave > 1.5) x = abs(16.0 * fract(0.0625 * x + 0.03125) - 8.5); // turns back every eight threads
+    return fract(0.25 * (x + y) + 0.125) < 0.5 ? 1.0 : -1.0; // over two, under two
+}
+
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
+// and is level towards a thread that it crosses on the same side.
+vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
-    float side = sqrt(max(square, 0.0)), turn = 3.1415927 * along.x;
+    float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
     vec2 slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
     return vec3(side - (square < 0.0 ? 2.0 : 1.0) + 0.55 * bend * cos(turn),
                 (square < 0.0 ? vec2(0.0) : slope) - 1.7278760 * bend * sin(turn) * along.yz);
@@ -827,11 +839,14 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
     for (int i = 0; i < samples; ++i) {
         vec2 offset = gabor_impl_sample(pixel, i, samples);
         vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
-        float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
-        x.x -= floor(x.x) + 0.5;
-        y.x -= floor(y.x) + 0.5;
-        vec3 along_y = gabor_impl_thread(x, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, parity);
-        vec3 along_x = gabor_impl_thread(y, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -parity);
+        vec2 thread = floor(vec2(x.x, y.x));
+        x.x -= thread.x + 0.5;
+        y.x -= thread.y + 0.5;
+        float over = gabor_impl_over(thread.x, thread.y, fabric.weave);
+        bool level_y = over == gabor_impl_over(thread.x, thread.y + (y.x < 0.0 ? -1.0 : 1.0), fabric.weave);
+        bool level_x = over == gabor_impl_over(thread.x + (x.x < 0.0 ? -1.0 : 1.0), thread.y, fabric.weave);
+        vec3 along_y = gabor_impl_thread(x, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, over, level_y);
+        vec3 along_x = gabor_impl_thread(y, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -over, level_x);
         bool first = along_y.x > along_x.x;
         vec3 top = first ? along_y : along_x;
         if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
@@ -840,9 +855,10 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
         height += top;
         lost += gabor_impl_square(top.yz);
     }
-    float light = 0.8828 - 0.0056 * uneven * uneven, tall = 0.0406 + 0.0025 * uneven * uneven;
-    gabor_impl_average(height, lost, samples, kept, tall, vec3(0.29 * count * count, 0.0));
-    colour = mix(0.5 * light * (warp + weft), colour / float(samples), kept);
+    vec3 mean = vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    if (fabric.weave >= 0.5) mean = vec3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
+    gabor_impl_average(height, lost, samples, kept, mean.y, vec3(mean.z * count * count, 0.0));
+    colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
     height *= unit;
     lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
@@ -863,7 +879,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
 GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
+    vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
@@ -1119,32 +1135,54 @@ GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
-GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
+// Five sizes of streaks, and six octaves of patina.
+GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
+    GaborWarped sheet = gabor_impl_unwarped(pixel);
+    if (i >= 5) return gabor_impl_octave(sheet, vec2(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
     vec2 density = vec2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
-    return gabor_impl_spots_layer(0, gabor_impl_unwarped(pixel), density, seed, i);
+    return gabor_impl_spots_layer(0, sheet, density, seed, i);
 }
 
-// Adds streaks: the first sum is the height, the second the tone.
-void gabor_impl_add_streaks(inout GaborPair sum, int i, GaborPair pair) {
+// The layers that the metal needs.
+int gabor_impl_metal_layers(GaborBrushedMetal metal) {
+    return metal.weathering > 0.0 ? 11 : 5;
+}
+
+// Adds a layer: of the streaks, the first sum is the height, the second the tone.
+void gabor_impl_add_metal(inout GaborPairs of, int i, GaborLayer layer, GaborPair pair) {
+    if (i >= 5) {
+        of.b = gabor_impl_plus(of.b, pair, layer.amplitude);
+        return;
+    }
     float size = exp2(-float(i));
-    sum.first += size * pair.first;
-    sum.second += 0.4472136 * pair.second;
-    sum.removed += 0.2 * pair.removed;
-    sum.lost += size * size * pair.lost;
+    of.a.first += size * pair.first;
+    of.a.second += 0.4472136 * pair.second;
+    of.a.removed += 0.2 * pair.removed;
+    of.a.lost += size * size * pair.lost;
 }
 
-GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPair sum) {
-    vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(sum.second.x, sum.removed, metal.contrast));
-    return gabor_impl_material(colour, metal.relief * sum.first, metal.relief * metal.relief * sum.lost,
-                               metal.roughness, 1.0);
+GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
+    vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
+    vec3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
+    if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
+    float threshold = 2.4 - 3.8 * metal.weathering;
+    vec3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3);
+    vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3));
+    height += 0.003 * cover + 0.001 * of.b.first;
+    lost += 9.0e-6 * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3) + 1.0e-6 * of.b.lost;
+    return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
+                               1.0 - cover.x);
 }
 
 GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal metal, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i)
-        gabor_impl_add_streaks(sum, i, gabor_impl_spots_pair(gabor_impl_streaks_layer(i, pixel, metal, seed)));
-    return gabor_impl_brushed_metal(metal, sum);
+    GaborPairs of = gabor_impl_no_pairs();
+    int layers = gabor_impl_metal_layers(metal);
+    for (int i = 0; i < layers; ++i) {
+        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(of, i, layer, gabor_impl_spots_pair(layer));
+    }
+    return gabor_impl_brushed_metal(metal, of);
 }
 
 // ---- Scratches -----------------------------------------------------------------------------------------------------
@@ -1351,7 +1389,7 @@ GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
+    vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
@@ -1410,12 +1448,13 @@ GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBrushedMetal metal,
                                               uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i) {
-        GaborLayer layer = gabor_impl_streaks_layer(i, pixel, metal, seed);
-        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(layer, pixel));
+    GaborPairs of = gabor_impl_no_pairs();
+    int layers = gabor_impl_metal_layers(metal);
+    for (int i = 0; i < layers; ++i) {
+        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer, pixel));
     }
-    return gabor_impl_brushed_metal(metal, sum);
+    return gabor_impl_brushed_metal(metal, of);
 }
 
 GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborScratches scratches, uint seed) {
@@ -1474,7 +1513,7 @@ GaborWood gabor_wood_default() {
     return GaborWood(vec3(0.50, 0.275, 0.115), vec3(0.20, 0.078, 0.027), 13.0, 1.0, 0.75, 0.5);
 }
 GaborFabric gabor_fabric_default() {
-    return GaborFabric(vec3(0.50, 0.43, 0.33), vec3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0);
+    return GaborFabric(vec3(0.50, 0.43, 0.33), vec3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0, 0.0);
 }
 GaborLeather gabor_leather_default() {
     return GaborLeather(vec3(0.20, 0.068, 0.026), vec3(0.04, 0.014, 0.007), 6.88, 1.0, 1.0, 0.4);
@@ -1486,7 +1525,7 @@ GaborSand gabor_sand_default() {
     return GaborSand(vec3(0.43, 0.30, 0.17), vec3(0.60, 0.44, 0.265), 3.87, 0.055, 0.16, 0.9);
 }
 GaborBrushedMetal gabor_brushed_metal_default() {
-    return GaborBrushedMetal(vec3(0.55, 0.555, 0.565), 9.0, 0.09, 0.0012, 0.36);
+    return GaborBrushedMetal(vec3(0.55, 0.555, 0.565), vec3(0.14, 0.33, 0.27), 9.0, 0.09, 0.0012, 0.36, 0.0);
 }
 GaborScratches gabor_scratches_default() {
     return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,

@@ -40,7 +40,7 @@ struct GaborMaterial {
     float height;    // height in units of p
     gabor_vec2 slope;      // derivatives of the height along x and y
     float roughness; // roughness as in glTF, without what the filter removed
-    float metalness; // 0 or 1
+    float metalness; // 0 or 1, or between them at the edges of patina
     gabor_vec3 lost;       // covariance of the slopes that the filter removed: xx, yy, xy
 };
 
@@ -78,7 +78,8 @@ struct GaborWood {
     float roughness; // roughness of the early wood, 0 to 1
 };
 
-// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
+// 3 x 3].
 struct GaborFabric {
     gabor_vec3 warp;        // colour of the threads along y
     gabor_vec3 weft;        // colour of the threads along x
@@ -87,6 +88,7 @@ struct GaborFabric {
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
+    float weave;      // plain weave, twill or herringbone, 0 to 2
 };
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
@@ -119,13 +121,15 @@ struct GaborSand {
     float roughness; // 0 to 1
 };
 
-// Streaks along x [5 noises; period 5 x 1].
+// Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    gabor_vec3 colour;     // colour of the metal
-    float streaks;   // number of the widest streaks per unit, 1 to 50
-    float contrast;  // contrast of the streaks, 0 to 0.5
-    float relief;    // height of the widest streaks, in units, 0 to 0.01
-    float roughness; // 0 to 1
+    gabor_vec3 colour;      // colour of the metal
+    gabor_vec3 patina;      // colour of the patina
+    float streaks;    // number of the widest streaks per unit, 1 to 50
+    float contrast;   // contrast of the streaks, 0 to 0.5
+    float relief;     // height of the widest streaks, in units, 0 to 0.01
+    float roughness;  // roughness of the metal, 0 to 1
+    float weathering; // amount of patina, 0 to 1
 };
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
@@ -806,10 +810,18 @@ GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, gabor_
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
-GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend) {
+// 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
+GABOR_INLINE float gabor_impl_over(float x, float y, float weave) {
+    if (weave < 0.5f) return gabor_cpp_fract(0.5f * (x + y)) > 0.25f ? -1.0f : 1.0f;
+    if (weave > 1.5f) x = gabor_cpp_abs(16.0f * gabor_cpp_fract(0.0625f * x + 0.03125f) - 8.5f); // turns back every eight threads
+    return gabor_cpp_fract(0.25f * (x + y) + 0.125f) < 0.5f ? 1.0f : -1.0f; // over two, under two
+}
+
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
+// and is level towards a thread that it crosses on the same side.
+GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2f * across.x * across.x;
-    float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = 3.1415927f * along.x;
+    float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = level ? 0.0f : 3.1415927f * along.x;
     gabor_vec2 slope = (thick.x * thick.yz() - 4.2f * across.x * across.yz()) / gabor_cpp_max(side, 0.05f);
     return gabor_vec3(side - (square < 0.0f ? 2.0f : 1.0f) + 0.55f * bend * gabor_cpp_cos(turn),
                 (square < 0.0f ? gabor_vec2(0.0f) : slope) - 1.7278760f * bend * gabor_cpp_sin(turn) * along.yz());
@@ -832,11 +844,14 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
     for (int i = 0; i < samples; ++i) {
         gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
         gabor_vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
-        float parity = gabor_cpp_fract(0.5f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x))) > 0.25f ? -1.0f : 1.0f;
-        x.x -= gabor_cpp_floor(x.x) + 0.5f;
-        y.x -= gabor_cpp_floor(y.x) + 0.5f;
-        gabor_vec3 along_y = gabor_impl_thread(x, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.a.second, y, parity);
-        gabor_vec3 along_x = gabor_impl_thread(y, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.b.second, x, -parity);
+        gabor_vec2 thread_ = gabor_cpp_floor(gabor_vec2(x.x, y.x));
+        x.x -= thread_.x + 0.5f;
+        y.x -= thread_.y + 0.5f;
+        float over = gabor_impl_over(thread_.x, thread_.y, fabric.weave);
+        bool level_y = over == gabor_impl_over(thread_.x, thread_.y + (y.x < 0.0f ? -1.0f : 1.0f), fabric.weave);
+        bool level_x = over == gabor_impl_over(thread_.x + (x.x < 0.0f ? -1.0f : 1.0f), thread_.y, fabric.weave);
+        gabor_vec3 along_y = gabor_impl_thread(x, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.a.second, y, over, level_y);
+        gabor_vec3 along_x = gabor_impl_thread(y, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.b.second, x, -over, level_x);
         bool first = along_y.x > along_x.x;
         gabor_vec3 top = first ? along_y : along_x;
         if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
@@ -845,9 +860,10 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
         height += top;
         lost += gabor_impl_square(top.yz());
     }
-    float light = 0.8828f - 0.0056f * uneven * uneven, tall = 0.0406f + 0.0025f * uneven * uneven;
-    gabor_impl_average(height, lost, samples, kept, tall, gabor_vec3(0.29f * count * count, 0.0f));
-    colour = gabor_cpp_mix(0.5f * light * (warp + weft), colour / float(samples), kept);
+    gabor_vec3 mean = gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
+    if (fabric.weave >= 0.5f) mean = gabor_vec3(0.91f - uneven * (0.0105f + 0.0045f * uneven), 0.0655f, 0.37f);
+    gabor_impl_average(height, lost, samples, kept, mean.y, gabor_vec3(mean.z * count * count, 0.0f));
+    colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), kept);
     height *= unit;
     lost = unit * unit * (lost + 0.0006125f * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
@@ -868,7 +884,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
@@ -1124,32 +1140,54 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
+// Five sizes of streaks, and six octaves of patina.
+GABOR_INLINE GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
+    GaborWarped sheet = gabor_impl_unwarped(pixel);
+    if (i >= 5) return gabor_impl_octave(sheet, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
-    return gabor_impl_spots_layer(0, gabor_impl_unwarped(pixel), density, seed, i);
+    return gabor_impl_spots_layer(0, sheet, density, seed, i);
 }
 
-// Adds streaks: the first sum is the height, the second the tone.
-GABOR_INLINE void gabor_impl_add_streaks(GaborPair& sum, int i, GaborPair pair) {
+// The layers that the metal needs.
+GABOR_INLINE int gabor_impl_metal_layers(GaborBrushedMetal metal) {
+    return metal.weathering > 0.0f ? 11 : 5;
+}
+
+// Adds a layer: of the streaks, the first sum is the height, the second the tone.
+GABOR_INLINE void gabor_impl_add_metal(GaborPairs& of, int i, GaborLayer layer, GaborPair pair) {
+    if (i >= 5) {
+        of.b = gabor_impl_plus(of.b, pair, layer.amplitude);
+        return;
+    }
     float size = gabor_cpp_exp2(-float(i));
-    sum.first += size * pair.first;
-    sum.second += 0.4472136f * pair.second;
-    sum.removed += 0.2f * pair.removed;
-    sum.lost += size * size * pair.lost;
+    of.a.first += size * pair.first;
+    of.a.second += 0.4472136f * pair.second;
+    of.a.removed += 0.2f * pair.removed;
+    of.a.lost += size * size * pair.lost;
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPair sum) {
-    gabor_vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(sum.second.x, sum.removed, metal.contrast));
-    return gabor_impl_material(colour, metal.relief * sum.first, metal.relief * metal.relief * sum.lost,
-                               metal.roughness, 1.0f);
+GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
+    gabor_vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
+    gabor_vec3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
+    if (metal.weathering <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
+    float threshold = 2.4f - 3.8f * metal.weathering;
+    gabor_vec3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3f);
+    gabor_vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3f));
+    height += 0.003f * cover + 0.001f * of.b.first;
+    lost += 9.0e-6f * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3f) + 1.0e-6f * of.b.lost;
+    return gabor_impl_material(gabor_cpp_mix(colour, patina, cover.x), height, lost, gabor_cpp_mix(metal.roughness, 0.85f, cover.x),
+                               1.0f - cover.x);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 period, GaborBrushedMetal metal, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i)
-        gabor_impl_add_streaks(sum, i, gabor_impl_spots_pair(gabor_impl_streaks_layer(i, pixel, metal, seed)));
-    return gabor_impl_brushed_metal(metal, sum);
+    GaborPairs of = gabor_impl_no_pairs();
+    int layers = gabor_impl_metal_layers(metal);
+    for (int i = 0; i < layers; ++i) {
+        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(of, i, layer, gabor_impl_spots_pair(layer));
+    }
+    return gabor_impl_brushed_metal(metal, of);
 }
 
 // ---- Scratches -----------------------------------------------------------------------------------------------------
@@ -1356,7 +1394,7 @@ GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
@@ -1415,12 +1453,13 @@ GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
                                               std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i) {
-        GaborLayer layer = gabor_impl_streaks_layer(i, pixel, metal, seed);
-        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(layer, pixel));
+    GaborPairs of = gabor_impl_no_pairs();
+    int layers = gabor_impl_metal_layers(metal);
+    for (int i = 0; i < layers; ++i) {
+        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer, pixel));
     }
-    return gabor_impl_brushed_metal(metal, sum);
+    return gabor_impl_brushed_metal(metal, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
@@ -1479,7 +1518,7 @@ GABOR_INLINE GaborWood gabor_wood_default() {
     return GaborWood{gabor_vec3(0.50f, 0.275f, 0.115f), gabor_vec3(0.20f, 0.078f, 0.027f), 13.0f, 1.0f, 0.75f, 0.5f};
 }
 GABOR_INLINE GaborFabric gabor_fabric_default() {
-    return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f, 0.0f};
+    return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f, 0.0f, 0.0f};
 }
 GABOR_INLINE GaborLeather gabor_leather_default() {
     return GaborLeather{gabor_vec3(0.20f, 0.068f, 0.026f), gabor_vec3(0.04f, 0.014f, 0.007f), 6.88f, 1.0f, 1.0f, 0.4f};
@@ -1491,7 +1530,7 @@ GABOR_INLINE GaborSand gabor_sand_default() {
     return GaborSand{gabor_vec3(0.43f, 0.30f, 0.17f), gabor_vec3(0.60f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f};
 }
 GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
-    return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), 9.0f, 0.09f, 0.0012f, 0.36f};
+    return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), gabor_vec3(0.14f, 0.33f, 0.27f), 9.0f, 0.09f, 0.0012f, 0.36f, 0.0f};
 }
 GABOR_INLINE GaborScratches gabor_scratches_default() {
     return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 3.1415927f, 0.0025f,

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 5636905e89f45237.
+// naga 30.0.1 made it from GLSL with the digest 062e9544fd28c0d9.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -67,7 +67,8 @@ struct GaborWood {
     roughness: f32,
 }
 
-// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
+// 3 x 3].
 struct GaborFabric {
     warp: vec3<f32>,
     weft: vec3<f32>,
@@ -76,6 +77,7 @@ struct GaborFabric {
     relief: f32,
     roughness: f32,
     cords: f32,
+    weave: f32,
 }
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
@@ -108,13 +110,15 @@ struct GaborSand {
     roughness: f32,
 }
 
-// Streaks along x [5 noises; period 5 x 1].
+// Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
     colour: vec3<f32>,
+    patina: vec3<f32>,
     streaks: f32,
     contrast: f32,
     relief: f32,
     roughness: f32,
+    weathering: f32,
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
@@ -1778,40 +1782,78 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
     return _e38;
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
-fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32) -> vec3<f32> {
+// 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
+fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
+    var x_28: f32;
+    var local_43: f32;
+    var local_44: f32;
+    x_28 = x;
+    if (weave < 0.5f) {
+        let _e7 = x_28;
+        if (fract((0.5f * (_e7 + y))) > 0.25f) {
+            local_43 = -1f;
+        } else {
+            local_43 = 1f;
+        }
+        let _e17 = local_43;
+        return _e17;
+    }
+    if (weave > 1.5f) {
+        let _e22 = x_28;
+        x_28 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
+    }
+    let _e32 = x_28;
+    if (fract(((0.25f * (_e32 + y)) + 0.125f)) < 0.5f) {
+        local_44 = 1f;
+    } else {
+        local_44 = -1f;
+    }
+    let _e44 = local_44;
+    return _e44;
+}
+
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
+// and is level towards a thread that it crosses on the same side.
+fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32, level: bool) -> vec3<f32> {
     var square_4: f32;
     var side_2: f32;
+    var local_45: f32;
     var turn_12: f32;
     var slope_14: vec2<f32>;
-    var local_43: f32;
-    var local_44: vec2<f32>;
+    var local_46: f32;
+    var local_47: vec2<f32>;
     square_4 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
-    let _e14 = square_4;
-    side_2 = sqrt(max(_e14, 0f));
-    turn_12 = (3.1415927f * along.x);
-    let _e32 = side_2;
-    slope_14 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e32, 0.05f)));
-    let _e38 = side_2;
-    let _e39 = square_4;
-    if (_e39 < 0f) {
-        local_43 = 2f;
+    let _e15 = square_4;
+    side_2 = sqrt(max(_e15, 0f));
+    if level {
+        local_45 = 0f;
     } else {
-        local_43 = 1f;
+        local_45 = (3.1415927f * along.x);
     }
-    let _e45 = local_43;
-    let _e49 = turn_12;
-    let _e53 = square_4;
-    if (_e53 < 0f) {
-        local_44 = vec2(0f);
+    let _e25 = local_45;
+    turn_12 = _e25;
+    let _e36 = side_2;
+    slope_14 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e36, 0.05f)));
+    let _e42 = side_2;
+    let _e43 = square_4;
+    if (_e43 < 0f) {
+        local_46 = 2f;
     } else {
-        let _e58 = slope_14;
-        local_44 = _e58;
+        local_46 = 1f;
     }
-    let _e60 = local_44;
-    let _e63 = turn_12;
-    let _e68 = (_e60 - (((1.727876f * bend) * sin(_e63)) * along.yz));
-    return vec3<f32>(((_e38 - _e45) + ((0.55f * bend) * cos(_e49))), _e68.x, _e68.y);
+    let _e49 = local_46;
+    let _e53 = turn_12;
+    let _e57 = square_4;
+    if (_e57 < 0f) {
+        local_47 = vec2(0f);
+    } else {
+        let _e62 = slope_14;
+        local_47 = _e62;
+    }
+    let _e64 = local_47;
+    let _e67 = turn_12;
+    let _e72 = (_e64 - (((1.727876f * bend) * sin(_e67)) * along.yz));
+    return vec3<f32>(((_e42 - _e49) + ((0.55f * bend) * cos(_e53))), _e72.x, _e72.y);
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
@@ -1832,19 +1874,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var samples: i32;
     var i_13: i32 = 0i;
     var offset_3: vec2<f32>;
-    var x_27: vec3<f32>;
-    var y_19: vec3<f32>;
-    var local_45: f32;
-    var parity: f32;
+    var x_29: vec3<f32>;
+    var y_20: vec3<f32>;
+    var thread: vec2<f32>;
+    var over: f32;
+    var local_48: f32;
+    var level_y: bool;
+    var local_49: f32;
+    var level_x: bool;
     var along_y_6: vec3<f32>;
     var along_x_4: vec3<f32>;
     var first_3: bool;
-    var local_46: vec3<f32>;
+    var local_50: vec3<f32>;
     var top: vec3<f32>;
-    var local_47: vec3<f32>;
-    var local_48: vec3<f32>;
-    var light: f32;
-    var tall: f32;
+    var local_51: vec3<f32>;
+    var local_52: vec3<f32>;
+    var mean_8: vec3<f32>;
     var cords: f32;
     var at_10: vec3<f32>;
     var damped_2: f32;
@@ -1903,178 +1948,209 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e115 = at_x;
             let _e116 = offset_3;
             let _e117 = gabor_impl_moved(_e115, _e116);
-            x_27 = _e117;
+            x_29 = _e117;
             let _e119 = at_y;
             let _e120 = offset_3;
             let _e121 = gabor_impl_moved(_e119, _e120);
-            y_19 = _e121;
-            let _e124 = x_27;
-            let _e127 = y_19;
-            if (fract((0.5f * (floor(_e124.x) + floor(_e127.x)))) > 0.25f) {
-                local_45 = -1f;
+            y_20 = _e121;
+            let _e123 = x_29;
+            let _e125 = y_20;
+            thread = floor(vec2<f32>(_e123.x, _e125.x));
+            let _e131 = x_29;
+            let _e133 = thread;
+            x_29.x = (_e131.x - (_e133.x + 0.5f));
+            let _e139 = y_20;
+            let _e141 = thread;
+            y_20.x = (_e139.x - (_e141.y + 0.5f));
+            let _e146 = thread;
+            let _e148 = thread;
+            let _e151 = gabor_impl_over(_e146.x, _e148.y, fabric.weave);
+            over = _e151;
+            let _e153 = over;
+            let _e154 = thread;
+            let _e156 = thread;
+            let _e158 = y_20;
+            if (_e158.x < 0f) {
+                local_48 = -1f;
             } else {
-                local_45 = 1f;
+                local_48 = 1f;
             }
-            let _e139 = local_45;
-            parity = _e139;
-            let _e142 = x_27;
-            let _e144 = x_27;
-            x_27.x = (_e142.x - (floor(_e144.x) + 0.5f));
-            let _e151 = y_19;
-            let _e153 = y_19;
-            y_19.x = (_e151.x - (floor(_e153.x) + 0.5f));
-            let _e159 = x_27;
-            let _e165 = uneven;
-            let _e171 = y_19;
-            let _e172 = parity;
-            let _e173 = gabor_impl_thread(_e159, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e165) * of_.a.second)), _e171, _e172);
-            along_y_6 = _e173;
-            let _e175 = y_19;
-            let _e181 = uneven;
-            let _e187 = x_27;
-            let _e188 = parity;
-            let _e190 = gabor_impl_thread(_e175, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e181) * of_.b.second)), _e187, -(_e188));
-            along_x_4 = _e190;
-            let _e192 = along_y_6;
-            let _e194 = along_x_4;
-            first_3 = (_e192.x > _e194.x);
-            let _e198 = first_3;
-            if _e198 {
-                let _e199 = along_y_6;
-                local_46 = _e199;
+            let _e166 = local_48;
+            let _e169 = gabor_impl_over(_e154.x, (_e156.y + _e166), fabric.weave);
+            level_y = (_e153 == _e169);
+            let _e172 = over;
+            let _e173 = thread;
+            let _e175 = x_29;
+            if (_e175.x < 0f) {
+                local_49 = -1f;
             } else {
-                let _e200 = along_x_4;
-                local_46 = _e200;
+                local_49 = 1f;
             }
-            let _e202 = local_46;
-            top = _e202;
-            let _e204 = top;
-            if (_e204.x < -1.3f) {
+            let _e183 = local_49;
+            let _e185 = thread;
+            let _e188 = gabor_impl_over((_e173.x + _e183), _e185.y, fabric.weave);
+            level_x = (_e172 == _e188);
+            let _e191 = x_29;
+            let _e197 = uneven;
+            let _e203 = y_20;
+            let _e204 = over;
+            let _e205 = level_y;
+            let _e206 = gabor_impl_thread(_e191, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e197) * of_.a.second)), _e203, _e204, _e205);
+            along_y_6 = _e206;
+            let _e208 = y_20;
+            let _e214 = uneven;
+            let _e220 = x_29;
+            let _e221 = over;
+            let _e223 = level_x;
+            let _e224 = gabor_impl_thread(_e208, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e214) * of_.b.second)), _e220, -(_e221), _e223);
+            along_x_4 = _e224;
+            let _e226 = along_y_6;
+            let _e228 = along_x_4;
+            first_3 = (_e226.x > _e228.x);
+            let _e232 = first_3;
+            if _e232 {
+                let _e233 = along_y_6;
+                local_50 = _e233;
+            } else {
+                let _e234 = along_x_4;
+                local_50 = _e234;
+            }
+            let _e236 = local_50;
+            top = _e236;
+            let _e238 = top;
+            if (_e238.x < -1.3f) {
                 top = vec3<f32>(-1.3f, 0f, 0f);
             }
-            let _e214 = colour_3;
-            let _e220 = top;
-            let _e224 = first_3;
-            if _e224 {
-                let _e225 = warp;
-                local_47 = _e225;
+            let _e248 = colour_3;
+            let _e254 = top;
+            let _e258 = first_3;
+            if _e258 {
+                let _e259 = warp;
+                local_51 = _e259;
             } else {
-                let _e226 = weft;
-                local_47 = _e226;
+                let _e260 = weft;
+                local_51 = _e260;
             }
-            let _e228 = local_47;
-            colour_3 = (_e214 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e220.x)) * _e228));
-            let _e232 = top;
-            let _e235 = first_3;
-            if _e235 {
-                local_48 = of_.c.second;
+            let _e262 = local_51;
+            colour_3 = (_e248 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e254.x)) * _e262));
+            let _e266 = top;
+            let _e269 = first_3;
+            if _e269 {
+                local_52 = of_.c.second;
             } else {
-                local_48 = of_.d.second;
+                local_52 = of_.d.second;
             }
-            let _e241 = local_48;
-            top = ((0.3f * _e232) + (0.035f * _e241));
-            let _e244 = height_3;
-            let _e245 = top;
-            height_3 = (_e244 + _e245);
-            let _e247 = lost_6;
-            let _e248 = top;
-            let _e250 = gabor_impl_square(_e248.yz);
-            lost_6 = (_e247 + _e250);
+            let _e275 = local_52;
+            top = ((0.3f * _e266) + (0.035f * _e275));
+            let _e278 = height_3;
+            let _e279 = top;
+            height_3 = (_e278 + _e279);
+            let _e281 = lost_6;
+            let _e282 = top;
+            let _e284 = gabor_impl_square(_e282.yz);
+            lost_6 = (_e281 + _e284);
         }
         continuing {
             let _e108 = i_13;
             i_13 = (_e108 + 1i);
         }
     }
-    let _e254 = uneven;
-    let _e256 = uneven;
-    light = (0.8828f - ((0.0056f * _e254) * _e256));
-    let _e262 = uneven;
-    let _e264 = uneven;
-    tall = (0.0406f + ((0.0025f * _e262) * _e264));
-    let _e270 = samples;
-    let _e271 = kept_4;
-    let _e272 = tall;
-    let _e275 = ((0.29f * count) * count);
-    gabor_impl_average((&height_3), (&lost_6), _e270, _e271, _e272, vec3<f32>(_e275.x, _e275.y, 0f));
-    let _e283 = light;
-    let _e285 = warp;
-    let _e286 = weft;
-    let _e289 = colour_3;
-    let _e290 = samples;
-    let _e294 = kept_4;
-    colour_3 = mix(((0.5f * _e283) * (_e285 + _e286)), (_e289 / vec3(f32(_e290))), vec3(_e294));
-    let _e297 = height_3;
-    let _e298 = unit_5;
-    height_3 = (_e297 * _e298);
-    let _e300 = unit_5;
-    let _e301 = unit_5;
-    let _e303 = lost_6;
-    lost_6 = ((_e300 * _e301) * (_e303 + (0.0006125f * (of_.c.lost + of_.d.lost))));
+    let _e288 = uneven;
+    let _e290 = uneven;
+    let _e295 = uneven;
+    let _e297 = uneven;
+    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e288) * _e290)), (0.0406f + ((0.0025f * _e295) * _e297)), 0.29f);
+    if (fabric.weave >= 0.5f) {
+        let _e307 = uneven;
+        let _e310 = uneven;
+        mean_8 = vec3<f32>((0.91f - (_e307 * (0.0105f + (0.0045f * _e310)))), 0.0655f, 0.37f);
+    }
+    let _e320 = samples;
+    let _e321 = kept_4;
+    let _e322 = mean_8;
+    let _e324 = mean_8;
+    let _e327 = ((_e324.z * count) * count);
+    gabor_impl_average((&height_3), (&lost_6), _e320, _e321, _e322.y, vec3<f32>(_e327.x, _e327.y, 0f));
+    let _e335 = mean_8;
+    let _e338 = warp;
+    let _e339 = weft;
+    let _e342 = colour_3;
+    let _e343 = samples;
+    let _e347 = kept_4;
+    colour_3 = mix(((0.5f * _e335.x) * (_e338 + _e339)), (_e342 / vec3(f32(_e343))), vec3(_e347));
+    let _e350 = height_3;
+    let _e351 = unit_5;
+    height_3 = (_e350 * _e351);
+    let _e353 = unit_5;
+    let _e354 = unit_5;
+    let _e356 = lost_6;
+    lost_6 = ((_e353 * _e354) * (_e356 + (0.0006125f * (of_.c.lost + of_.d.lost))));
     if (fabric.cords > 0f) {
         {
-            let _e318 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            cords = _e318.x;
-            let _e321 = cords;
-            let _e322 = gabor_impl_along_x(cloth);
-            at_10 = (_e321 * _e322);
-            let _e326 = at_10;
-            let _e327 = gabor_impl_steps(pixel, _e326);
-            damped_2 = exp(-(min((4.934802f * _e327), 20f)));
-            let _e335 = damped_2;
-            half_cord = (0.5f * _e335);
-            let _e339 = damped_2;
-            let _e341 = damped_2;
-            let _e343 = damped_2;
-            let _e345 = damped_2;
-            second_3 = ((((0.125f * _e339) * _e341) * _e343) * _e345);
-            let _e349 = at_10;
-            turn_13 = (6.2831855f * fract(_e349.x));
-            let _e355 = half_cord;
-            let _e356 = turn_13;
-            let _e360 = second_3;
-            let _e362 = turn_13;
-            cord = ((0.625f - (_e355 * cos(_e356))) - (_e360 * cos((2f * _e362))));
-            let _e371 = cords;
-            depth_1 = ((0.3f * fabric.relief) / _e371);
-            let _e374 = depth_1;
-            swing = (_e374 * 6.2831855f);
-            let _e378 = colour_3;
-            let _e381 = cord;
-            colour_3 = (_e378 * mix(0.3f, 1f, _e381));
-            let _e384 = height_3;
-            let _e385 = depth_1;
-            let _e386 = cord;
-            let _e388 = swing;
-            let _e389 = half_cord;
-            let _e390 = turn_13;
-            let _e394 = second_3;
-            let _e397 = turn_13;
-            let _e403 = at_10;
-            let _e405 = ((_e388 * ((_e389 * sin(_e390)) + ((2f * _e394) * sin((2f * _e397))))) * _e403.yz);
-            height_3 = (_e384 + vec3<f32>((_e385 * _e386), _e405.x, _e405.y));
-            let _e410 = lost_6;
-            let _e411 = swing;
-            let _e412 = swing;
-            let _e416 = half_cord;
-            let _e418 = half_cord;
-            let _e422 = second_3;
-            let _e424 = second_3;
-            let _e428 = at_10;
-            let _e430 = gabor_impl_square(_e428.yz);
-            lost_6 = (_e410 + (((_e411 * _e412) * ((0.15625f - ((0.5f * _e416) * _e418)) - ((2f * _e422) * _e424))) * _e430));
+            let _e371 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            cords = _e371.x;
+            let _e374 = cords;
+            let _e375 = gabor_impl_along_x(cloth);
+            at_10 = (_e374 * _e375);
+            let _e379 = at_10;
+            let _e380 = gabor_impl_steps(pixel, _e379);
+            damped_2 = exp(-(min((4.934802f * _e380), 20f)));
+            let _e388 = damped_2;
+            half_cord = (0.5f * _e388);
+            let _e392 = damped_2;
+            let _e394 = damped_2;
+            let _e396 = damped_2;
+            let _e398 = damped_2;
+            second_3 = ((((0.125f * _e392) * _e394) * _e396) * _e398);
+            let _e402 = at_10;
+            turn_13 = (6.2831855f * fract(_e402.x));
+            let _e408 = half_cord;
+            let _e409 = turn_13;
+            let _e413 = second_3;
+            let _e415 = turn_13;
+            cord = ((0.625f - (_e408 * cos(_e409))) - (_e413 * cos((2f * _e415))));
+            let _e424 = cords;
+            depth_1 = ((0.3f * fabric.relief) / _e424);
+            let _e427 = depth_1;
+            swing = (_e427 * 6.2831855f);
+            let _e431 = colour_3;
+            let _e434 = cord;
+            colour_3 = (_e431 * mix(0.3f, 1f, _e434));
+            let _e437 = height_3;
+            let _e438 = depth_1;
+            let _e439 = cord;
+            let _e441 = swing;
+            let _e442 = half_cord;
+            let _e443 = turn_13;
+            let _e447 = second_3;
+            let _e450 = turn_13;
+            let _e456 = at_10;
+            let _e458 = ((_e441 * ((_e442 * sin(_e443)) + ((2f * _e447) * sin((2f * _e450))))) * _e456.yz);
+            height_3 = (_e437 + vec3<f32>((_e438 * _e439), _e458.x, _e458.y));
+            let _e463 = lost_6;
+            let _e464 = swing;
+            let _e465 = swing;
+            let _e469 = half_cord;
+            let _e471 = half_cord;
+            let _e475 = second_3;
+            let _e477 = second_3;
+            let _e481 = at_10;
+            let _e483 = gabor_impl_square(_e481.yz);
+            lost_6 = (_e463 + (((_e464 * _e465) * ((0.15625f - ((0.5f * _e469) * _e471)) - ((2f * _e475) * _e477))) * _e483));
         }
     }
-    let _e433 = colour_3;
-    let _e434 = height_3;
-    let _e435 = lost_6;
-    let _e438 = gabor_impl_material(_e433, _e434, _e435, fabric.roughness, 0f);
-    return _e438;
+    let _e486 = colour_3;
+    let _e487 = height_3;
+    let _e488 = lost_6;
+    let _e491 = gabor_impl_material(_e486, _e487, _e488, fabric.roughness, 0f);
+    return _e491;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
     var pixel_16: GaborPixel;
     var cloth_2: GaborWarped;
+    var local_53: f32;
+    var local_54: f32;
     var count_6: vec2<f32>;
     var of_3: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
@@ -2083,36 +2159,48 @@ fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u
     let _e11 = gabor_impl_cloth(_e10, fabric, seed);
     cloth_2 = _e11;
     let _e13 = pixel_16;
-    let _e16 = gabor_impl_repeated(_e13, fabric.threads, 2f);
-    count_6 = _e16;
-    let _e18 = gabor_impl_no_pairs();
-    of_3 = _e18;
-    let _e22 = cloth_2;
-    let _e23 = count_6;
-    let _e24 = gabor_impl_fabric_layer(0i, _e22, _e23, seed);
-    let _e25 = gabor_impl_spots_pair(_e24);
-    of_3.a = _e25;
-    let _e28 = cloth_2;
-    let _e29 = count_6;
-    let _e30 = gabor_impl_fabric_layer(1i, _e28, _e29, seed);
-    let _e31 = gabor_impl_spots_pair(_e30);
-    of_3.b = _e31;
+    if (fabric.weave < 0.5f) {
+        local_54 = 2f;
+    } else {
+        if (fabric.weave < 1.5f) {
+            local_53 = 4f;
+        } else {
+            local_53 = 16f;
+        }
+        let _e25 = local_53;
+        local_54 = _e25;
+    }
+    let _e27 = local_54;
+    let _e28 = gabor_impl_repeated(_e13, fabric.threads, _e27);
+    count_6 = _e28;
+    let _e30 = gabor_impl_no_pairs();
+    of_3 = _e30;
     let _e34 = cloth_2;
     let _e35 = count_6;
-    let _e36 = gabor_impl_fabric_layer(2i, _e34, _e35, seed);
+    let _e36 = gabor_impl_fabric_layer(0i, _e34, _e35, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_3.c = _e37;
+    of_3.a = _e37;
     let _e40 = cloth_2;
     let _e41 = count_6;
-    let _e42 = gabor_impl_fabric_layer(3i, _e40, _e41, seed);
+    let _e42 = gabor_impl_fabric_layer(1i, _e40, _e41, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
-    of_3.d = _e43;
-    let _e44 = pixel_16;
-    let _e45 = cloth_2;
-    let _e46 = count_6;
-    let _e47 = of_3;
-    let _e48 = gabor_impl_fabric(_e44, _e45, _e46, fabric, _e47);
-    return _e48;
+    of_3.b = _e43;
+    let _e46 = cloth_2;
+    let _e47 = count_6;
+    let _e48 = gabor_impl_fabric_layer(2i, _e46, _e47, seed);
+    let _e49 = gabor_impl_spots_pair(_e48);
+    of_3.c = _e49;
+    let _e52 = cloth_2;
+    let _e53 = count_6;
+    let _e54 = gabor_impl_fabric_layer(3i, _e52, _e53, seed);
+    let _e55 = gabor_impl_spots_pair(_e54);
+    of_3.d = _e55;
+    let _e56 = pixel_16;
+    let _e57 = cloth_2;
+    let _e58 = count_6;
+    let _e59 = of_3;
+    let _e60 = gabor_impl_fabric(_e56, _e57, _e58, fabric, _e59);
+    return _e60;
 }
 
 fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
@@ -2123,13 +2211,13 @@ fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_49: vec2<f32>;
+    var local_55: vec2<f32>;
     if (i == 0i) {
-        local_49 = vec2<f32>(20f, 0.6f);
+        local_55 = vec2<f32>(20f, 0.6f);
     } else {
-        local_49 = vec2<f32>(0.6f, 20f);
+        local_55 = vec2<f32>(0.6f, 20f);
     }
-    let _e13 = local_49;
+    let _e13 = local_55;
     let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
     return _e17;
 }
@@ -2149,21 +2237,21 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var samples_1: i32;
     var i_15: i32 = 0i;
     var offset_4: vec2<f32>;
-    var x_28: vec3<f32>;
-    var y_20: vec3<f32>;
+    var x_30: vec3<f32>;
+    var y_21: vec3<f32>;
     var turn_14: f32;
     var first_4: bool;
-    var local_50: vec3<f32>;
+    var local_56: vec3<f32>;
     var along_3: vec3<f32>;
-    var local_51: vec3<f32>;
+    var local_57: vec3<f32>;
     var across_3: vec3<f32>;
-    var local_52: f32;
+    var local_58: f32;
     var cube: f32;
     var arch: f32;
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
-    var local_53: vec3<f32>;
-    var local_54: vec3<f32>;
+    var local_59: vec3<f32>;
+    var local_60: vec3<f32>;
     let _e6 = gabor_impl_along_x(cloth);
     at_x_1 = (count.x * _e6);
     let _e10 = gabor_impl_along_y(cloth);
@@ -2198,50 +2286,50 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
             let _e73 = at_x_1;
             let _e74 = offset_4;
             let _e75 = gabor_impl_moved(_e73, _e74);
-            x_28 = _e75;
+            x_30 = _e75;
             let _e77 = at_y_1;
             let _e78 = offset_4;
             let _e79 = gabor_impl_moved(_e77, _e78);
-            y_20 = _e79;
-            let _e83 = x_28;
-            let _e86 = y_20;
+            y_21 = _e79;
+            let _e83 = x_30;
+            let _e86 = y_21;
             turn_14 = ((4f * fract(((0.25f * (floor(_e83.x) + floor(_e86.x))) + 0.125f))) - 0.5f);
-            let _e99 = x_28;
-            let _e101 = x_28;
-            x_28.x = (_e99.x - floor(_e101.x));
-            let _e106 = y_20;
-            let _e108 = y_20;
-            y_20.x = (_e106.x - floor(_e108.x));
+            let _e99 = x_30;
+            let _e101 = x_30;
+            x_30.x = (_e99.x - floor(_e101.x));
+            let _e106 = y_21;
+            let _e108 = y_21;
+            y_21.x = (_e106.x - floor(_e108.x));
             let _e112 = turn_14;
             first_4 = (_e112 < 1.5f);
             let _e117 = first_4;
             if _e117 {
-                let _e118 = y_20;
-                local_50 = _e118;
+                let _e118 = y_21;
+                local_56 = _e118;
             } else {
-                let _e119 = x_28;
-                local_50 = _e119;
+                let _e119 = x_30;
+                local_56 = _e119;
             }
-            let _e121 = local_50;
+            let _e121 = local_56;
             along_3 = (0.5f * _e121);
             let _e125 = first_4;
             if _e125 {
-                let _e126 = x_28;
-                local_51 = _e126;
+                let _e126 = x_30;
+                local_57 = _e126;
             } else {
-                let _e127 = y_20;
-                local_51 = _e127;
+                let _e127 = y_21;
+                local_57 = _e127;
             }
-            let _e129 = local_51;
+            let _e129 = local_57;
             across_3 = (2f * _e129);
             let _e133 = along_3;
             let _e136 = turn_14;
             if (fract(((0.5f * _e136) + 0.25f)) < 0.5f) {
-                local_52 = 0f;
+                local_58 = 0f;
             } else {
-                local_52 = 0.5f;
+                local_58 = 0.5f;
             }
-            let _e146 = local_52;
+            let _e146 = local_58;
             along_3.x = (_e133.x + _e146);
             let _e149 = across_3;
             across_3.x = (_e149.x - 1f);
@@ -2270,21 +2358,21 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
             let _e215 = first_4;
             if _e215 {
                 let _e216 = warp_1;
-                local_53 = _e216;
+                local_59 = _e216;
             } else {
                 let _e217 = weft_1;
-                local_53 = _e217;
+                local_59 = _e217;
             }
-            let _e219 = local_53;
+            let _e219 = local_59;
             colour_4 = (_e208 + ((0.35f + (0.65f * _e211.x)) * _e219));
             let _e223 = bulge;
             let _e226 = first_4;
             if _e226 {
-                local_54 = of_.a.first;
+                local_60 = of_.a.first;
             } else {
-                local_54 = of_.b.first;
+                local_60 = of_.b.first;
             }
-            let _e232 = local_54;
+            let _e232 = local_60;
             bulge = ((0.16f * _e223) + (0.006f * _e232));
             let _e235 = height_4;
             let _e236 = bulge;
@@ -2374,7 +2462,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
-    var local_55: f32;
+    var local_61: f32;
     if (i < 3i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e13 = gabor_lobe_seed(seed, 4i);
@@ -2387,11 +2475,11 @@ fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leathe
         return _e22;
     }
     if (i == 4i) {
-        local_55 = 0.2f;
+        local_61 = 0.2f;
     } else {
-        local_55 = 2.2944f;
+        local_61 = 2.2944f;
     }
-    let _e35 = local_55;
+    let _e35 = local_61;
     let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
     return _e38;
 }
@@ -2658,12 +2746,12 @@ fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborW
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
-    var local_56: vec3<f32>;
-    var local_57: vec3<f32>;
-    var local_58: vec3<f32>;
+    var local_62: vec3<f32>;
+    var local_63: vec3<f32>;
+    var local_64: vec3<f32>;
     var vein: vec3<f32>;
-    var local_59: i32;
-    var local_60: i32;
+    var local_65: i32;
+    var local_66: i32;
     if (i < 3i) {
         let _e11 = gabor_lobe_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
@@ -2675,39 +2763,39 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         return _e20;
     }
     if (i == 4i) {
-        local_58 = vec3<f32>(1.9f, 0.95f, -0.45f);
+        local_64 = vec3<f32>(1.9f, 0.95f, -0.45f);
     } else {
         if (i == 5i) {
-            local_57 = vec3<f32>(0.95f, 0.85f, 0.65f);
+            local_63 = vec3<f32>(0.95f, 0.85f, 0.65f);
         } else {
             if (i == 6i) {
-                local_56 = vec3<f32>(4.5f, 0.95f, 0.95f);
+                local_62 = vec3<f32>(4.5f, 0.95f, 0.95f);
             } else {
-                local_56 = vec3<f32>(13f, 0.9f, 0.2f);
+                local_62 = vec3<f32>(13f, 0.9f, 0.2f);
             }
-            let _e45 = local_56;
-            local_57 = _e45;
+            let _e45 = local_62;
+            local_63 = _e45;
         }
-        let _e47 = local_57;
-        local_58 = _e47;
+        let _e47 = local_63;
+        local_64 = _e47;
     }
-    let _e49 = local_58;
+    let _e49 = local_64;
     vein = _e49;
     let _e52 = vein;
     let _e55 = vein;
     let _e57 = vein;
     if (i == 4i) {
-        local_60 = 5i;
+        local_66 = 5i;
     } else {
         if (i == 5i) {
-            local_59 = 4i;
+            local_65 = 4i;
         } else {
-            local_59 = i;
+            local_65 = i;
         }
-        let _e66 = local_59;
-        local_60 = _e66;
+        let _e66 = local_65;
+        local_66 = _e66;
     }
-    let _e68 = local_60;
+    let _e68 = local_66;
     let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
     return _e69;
 }
@@ -2729,72 +2817,72 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
-    var local_61: f32;
-    var local_62: vec2<f32>;
-    var local_63: vec2<f32>;
-    var width_7: vec2<f32>;
-    var local_64: vec2<f32>;
-    var local_65: vec2<f32>;
-    var strength: vec2<f32>;
-    var local_66: f32;
     var local_67: f32;
-    var local_68: f32;
+    var local_68: vec2<f32>;
+    var local_69: vec2<f32>;
+    var width_7: vec2<f32>;
+    var local_70: vec2<f32>;
+    var local_71: vec2<f32>;
+    var strength: vec2<f32>;
+    var local_72: f32;
+    var local_73: f32;
+    var local_74: f32;
     var open: f32;
     var halo: vec3<f32>;
-    var local_69: f32;
-    var local_70: f32;
-    var local_71: f32;
+    var local_75: f32;
+    var local_76: f32;
+    var local_77: f32;
     var core: vec3<f32>;
     if (i == 4i) {
-        local_63 = vec2<f32>(0.25f, 0.035f);
+        local_69 = vec2<f32>(0.25f, 0.035f);
     } else {
         if (i == 5i) {
-            local_62 = vec2<f32>(0.35f, 0.05f);
+            local_68 = vec2<f32>(0.35f, 0.05f);
         } else {
             if (i == 6i) {
-                local_61 = 0.04f;
+                local_67 = 0.04f;
             } else {
-                local_61 = 0.05f;
+                local_67 = 0.05f;
             }
-            let _e20 = local_61;
-            local_62 = vec2<f32>(1f, _e20);
+            let _e20 = local_67;
+            local_68 = vec2<f32>(1f, _e20);
         }
-        let _e23 = local_62;
-        local_63 = _e23;
+        let _e23 = local_68;
+        local_69 = _e23;
     }
-    let _e25 = local_63;
+    let _e25 = local_69;
     width_7 = _e25;
     if (i == 4i) {
-        local_65 = vec2<f32>(0.6f, 0.6f);
+        local_71 = vec2<f32>(0.6f, 0.6f);
     } else {
         if (i == 5i) {
-            local_64 = vec2<f32>(0.55f, 0.75f);
+            local_70 = vec2<f32>(0.55f, 0.75f);
         } else {
-            local_64 = vec2<f32>(0f, 0.45f);
+            local_70 = vec2<f32>(0f, 0.45f);
         }
-        let _e42 = local_64;
-        local_65 = _e42;
+        let _e42 = local_70;
+        local_71 = _e42;
     }
-    let _e44 = local_65;
+    let _e44 = local_71;
     strength = (marble.veins * _e44);
     if (i == 4i) {
-        local_68 = 0.5f;
+        local_74 = 0.5f;
     } else {
         if (i == 5i) {
-            local_67 = -0.4f;
+            local_73 = -0.4f;
         } else {
             if (i == 6i) {
-                local_66 = 0.8f;
+                local_72 = 0.8f;
             } else {
-                local_66 = 1.1f;
+                local_72 = 1.1f;
             }
-            let _e61 = local_66;
-            local_67 = _e61;
+            let _e61 = local_72;
+            local_73 = _e61;
         }
-        let _e63 = local_67;
-        local_68 = _e63;
+        let _e63 = local_73;
+        local_74 = _e63;
     }
-    let _e65 = local_68;
+    let _e65 = local_74;
     let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
     open = _e67.x;
     let _e71 = strength;
@@ -2810,23 +2898,23 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
     strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
     halo = mix(marble.stone, marble.vein, vec3(0.65f));
     if (i == 4i) {
-        local_71 = 0.9f;
+        local_77 = 0.9f;
     } else {
         if (i == 5i) {
-            local_70 = 1f;
+            local_76 = 1f;
         } else {
             if (i == 6i) {
-                local_69 = 0.65f;
+                local_75 = 0.65f;
             } else {
-                local_69 = 0.45f;
+                local_75 = 0.45f;
             }
-            let _e116 = local_69;
-            local_70 = _e116;
+            let _e116 = local_75;
+            local_76 = _e116;
         }
-        let _e118 = local_70;
-        local_71 = _e118;
+        let _e118 = local_76;
+        local_77 = _e118;
     }
-    let _e120 = local_71;
+    let _e120 = local_77;
     core = mix(marble.stone, marble.vein, vec3(_e120));
     let _e125 = (*stone);
     let _e127 = strength;
@@ -2949,7 +3037,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     var colour_7: vec3<f32>;
     var dark: f32;
     var bright: f32;
-    var tall_1: vec3<f32>;
+    var tall: vec3<f32>;
     var height_6: vec3<f32>;
     var wave_19: vec2<f32>;
     var bent: vec3<f32>;
@@ -3001,9 +3089,9 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e144 = colour_7;
     let _e154 = bright;
     colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
-    tall_1 = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
+    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
     let _e170 = ripple;
-    let _e171 = tall_1;
+    let _e171 = tall;
     let _e172 = gabor_impl_times(_e170, _e171);
     height_6 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
     wave_19 = (ripples.density * ripples.wave);
@@ -3017,8 +3105,8 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e211 = bent;
     let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
     square_6 = (_e210 + _e216);
-    let _e219 = tall_1;
-    let _e221 = tall_1;
+    let _e219 = tall;
+    let _e221 = tall;
     let _e224 = phase_9;
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
@@ -3081,70 +3169,144 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
-fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
+// Five sizes of streaks, and six octaves of patina.
+fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
+    var sheet: GaborWarped;
     var density_7: vec2<f32>;
+    let _e4 = gabor_impl_unwarped(pixel);
+    sheet = _e4;
+    if (i >= 5i) {
+        let _e8 = sheet;
+        let _e16 = gabor_lobe_seed(seed, 5i);
+        let _e17 = gabor_impl_octave(_e8, vec2(1.3f), (i - 5i), 6i, 0.75f, _e16);
+        return _e17;
+    }
     density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
-    let _e17 = gabor_impl_unwarped(pixel);
-    let _e18 = density_7;
-    let _e19 = gabor_impl_spots_layer(0i, _e17, _e18, seed, i);
-    return _e19;
+    let _e31 = sheet;
+    let _e32 = density_7;
+    let _e33 = gabor_impl_spots_layer(0i, _e31, _e32, seed, i);
+    return _e33;
 }
 
-// Adds streaks: the first sum is the height, the second the tone.
-fn gabor_impl_add_streaks(sum: ptr<function, GaborPair>, i: i32, pair: GaborPair) {
+// The layers that the metal needs.
+fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
+    var local_78: i32;
+    if (metal.weathering > 0f) {
+        local_78 = 11i;
+    } else {
+        local_78 = 5i;
+    }
+    let _e7 = local_78;
+    return _e7;
+}
+
+// Adds a layer: of the streaks, the first sum is the height, the second the tone.
+fn gabor_impl_add_metal(of_: ptr<function, GaborPairs>, i: i32, layer: GaborLayer, pair: GaborPair) {
     var size_1: f32;
+    if (i >= 5i) {
+        {
+            let _e7 = (*of_);
+            let _e10 = gabor_impl_plus(_e7.b, pair, layer.amplitude);
+            (*of_).b = _e10;
+            return;
+        }
+    }
     size_1 = exp2(-(f32(i)));
-    let _e8 = (*sum);
-    let _e10 = size_1;
-    (*sum).first = (_e8.first + (_e10 * pair.first));
-    let _e15 = (*sum);
-    (*sum).second = (_e15.second + (0.4472136f * pair.second));
-    let _e22 = (*sum);
-    (*sum).removed = (_e22.removed + (0.2f * pair.removed));
-    let _e29 = (*sum);
-    let _e31 = size_1;
-    let _e32 = size_1;
-    (*sum).lost = (_e29.lost + ((_e31 * _e32) * pair.lost));
+    let _e17 = (*of_);
+    let _e20 = size_1;
+    (*of_).a.first = (_e17.a.first + (_e20 * pair.first));
+    let _e26 = (*of_);
+    (*of_).a.second = (_e26.a.second + (0.4472136f * pair.second));
+    let _e35 = (*of_);
+    (*of_).a.removed = (_e35.a.removed + (0.2f * pair.removed));
+    let _e44 = (*of_);
+    let _e47 = size_1;
+    let _e48 = size_1;
+    (*of_).a.lost = (_e44.a.lost + ((_e47 * _e48) * pair.lost));
     return;
 }
 
-fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMaterial {
+fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborMaterial {
     var colour_8: vec3<f32>;
-    let _e7 = gabor_impl_tone(sum.second.x, sum.removed, metal.contrast);
-    let _e8 = gabor_impl_toned(metal.colour, _e7);
-    colour_8 = _e8;
-    let _e10 = colour_8;
-    let _e21 = gabor_impl_material(_e10, (metal.relief * sum.first), ((metal.relief * metal.relief) * sum.lost), metal.roughness, 1f);
-    return _e21;
+    var height_7: vec3<f32>;
+    var lost_10: vec3<f32>;
+    var threshold_2: f32;
+    var cover: vec3<f32>;
+    var patina: vec3<f32>;
+    let _e9 = gabor_impl_tone(of_.a.second.x, of_.a.removed, metal.contrast);
+    let _e10 = gabor_impl_toned(metal.colour, _e9);
+    colour_8 = _e10;
+    height_7 = (metal.relief * of_.a.first);
+    lost_10 = ((metal.relief * metal.relief) * of_.a.lost);
+    if (metal.weathering <= 0f) {
+        let _e27 = colour_8;
+        let _e28 = height_7;
+        let _e29 = lost_10;
+        let _e32 = gabor_impl_material(_e27, _e28, _e29, metal.roughness, 1f);
+        return _e32;
+    }
+    threshold_2 = (2.4f - (3.8f * metal.weathering));
+    let _e43 = threshold_2;
+    let _e45 = gabor_impl_above(of_.b.second, of_.b.removed, _e43, 0.3f);
+    cover = _e45;
+    let _e54 = gabor_impl_tone(of_.b.first.x, of_.b.removed, 0.3f);
+    let _e55 = gabor_impl_toned(metal.patina, _e54);
+    patina = _e55;
+    let _e57 = height_7;
+    let _e59 = cover;
+    height_7 = (_e57 + ((0.003f * _e59) + (0.001f * of_.b.first)));
+    let _e67 = lost_10;
+    let _e75 = threshold_2;
+    let _e77 = gabor_impl_above_lost(of_.b.second, of_.b.removed, of_.b.lost, _e75, 0.3f);
+    lost_10 = (_e67 + ((0.000009f * _e77) + (0.000001f * of_.b.lost)));
+    let _e85 = colour_8;
+    let _e86 = patina;
+    let _e87 = cover;
+    let _e91 = height_7;
+    let _e92 = lost_10;
+    let _e95 = cover;
+    let _e99 = cover;
+    let _e102 = gabor_impl_material(mix(_e85, _e86, vec3(_e87.x)), _e91, _e92, mix(metal.roughness, 0.85f, _e95.x), (1f - _e99.x));
+    return _e102;
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
     var pixel_31: GaborPixel;
-    var sum_23: GaborPair;
+    var of_12: GaborPairs;
+    var layers: i32;
     var i_27: i32 = 0i;
+    var layer_11: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_31 = _e8;
-    let _e10 = gabor_impl_no_pair();
-    sum_23 = _e10;
+    let _e10 = gabor_impl_no_pairs();
+    of_12 = _e10;
+    let _e12 = gabor_impl_metal_layers(metal);
+    layers = _e12;
     loop {
-        let _e14 = i_27;
-        if !((_e14 < 5i)) {
+        let _e16 = i_27;
+        let _e17 = layers;
+        if !((_e16 < _e17)) {
             break;
         }
-        let _e22 = i_27;
-        let _e23 = i_27;
-        let _e24 = pixel_31;
-        let _e25 = gabor_impl_streaks_layer(_e23, _e24, metal, seed);
-        let _e26 = gabor_impl_spots_pair(_e25);
-        gabor_impl_add_streaks((&sum_23), _e22, _e26);
+        {
+            let _e23 = i_27;
+            let _e24 = pixel_31;
+            let _e25 = gabor_impl_metal_layer(_e23, _e24, metal, seed);
+            layer_11 = _e25;
+            let _e28 = i_27;
+            let _e29 = layer_11;
+            let _e30 = layer_11;
+            let _e31 = gabor_impl_spots_pair(_e30);
+            gabor_impl_add_metal((&of_12), _e28, _e29, _e31);
+        }
         continuing {
-            let _e18 = i_27;
-            i_27 = (_e18 + 1i);
+            let _e20 = i_27;
+            i_27 = (_e20 + 1i);
         }
     }
-    let _e28 = sum_23;
-    let _e29 = gabor_impl_brushed_metal(metal, _e28);
-    return _e29;
+    let _e33 = of_12;
+    let _e34 = gabor_impl_brushed_metal(metal, _e33);
+    return _e34;
 }
 
 // ---- Scratches -----------------------------------------------------------------------------------------------------
@@ -3170,15 +3332,15 @@ fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratch
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
 fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborPair) {
     var size_2: f32;
-    var threshold_2: f32;
+    var threshold_3: f32;
     var open_1: vec3<f32>;
     var scratch: vec3<f32>;
     var change_6: f32;
     size_2 = exp2((-0.13f * f32(i)));
-    threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
+    threshold_3 = sqrt((5.76f - (2f * log(scratches.amount))));
     let _e22 = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
     open_1 = _e22;
-    let _e26 = threshold_2;
+    let _e26 = threshold_3;
     let _e28 = gabor_impl_above(noise.first, noise.removed, _e26, 0.2f);
     let _e29 = open_1;
     let _e30 = gabor_impl_times(_e28, _e29);
@@ -3204,26 +3366,26 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
     let _e83 = open_1;
     let _e86 = change_6;
     let _e87 = change_6;
-    let _e96 = threshold_2;
+    let _e96 = threshold_3;
     let _e98 = gabor_impl_above_lost(noise.first, noise.removed, noise.lost, _e96, 0.2f);
     (*sum).lost = (_e74.lost + ((((1.15f * _e77) * _e79) * ((_e81.x * _e83.x) + ((_e86 * _e87) * noise.removed))) * _e98));
     return;
 }
 
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
-    var height_7: vec3<f32>;
-    var lost_10: vec3<f32>;
-    height_7 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
-    lost_10 = ((scratches.depth * scratches.depth) * sum.lost);
-    let _e20 = height_7;
-    let _e21 = lost_10;
+    var height_8: vec3<f32>;
+    var lost_11: vec3<f32>;
+    height_8 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
+    lost_11 = ((scratches.depth * scratches.depth) * sum.lost);
+    let _e20 = height_8;
+    let _e21 = lost_11;
     let _e24 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), _e20, _e21, scratches.roughness, 0f);
     return _e24;
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
     var pixel_33: GaborPixel;
-    var sum_26: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var sum_23: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_30: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_33 = _e8;
@@ -3237,13 +3399,13 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
         let _e33 = pixel_33;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
-        gabor_impl_add_scratches((&sum_26), scratches, _e31, _e35);
+        gabor_impl_add_scratches((&sum_23), scratches, _e31, _e35);
         continuing {
             let _e27 = i_30;
             i_30 = (_e27 + 1i);
         }
     }
-    let _e37 = sum_26;
+    let _e37 = sum_23;
     let _e38 = gabor_impl_scratches(scratches, _e37);
     return _e38;
 }
@@ -3321,7 +3483,7 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
     var pixel_37: GaborPixel;
     var skin_4: GaborWarped;
     var direction_2: f32;
-    var of_11: GaborPairs;
+    var of_14: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_37 = _e8;
     let _e10 = pixel_37;
@@ -3331,26 +3493,26 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
-    of_11 = _e16;
+    of_14 = _e16;
     let _e20 = pixel_37;
     let _e21 = skin_4;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
-    of_11.a = _e24;
+    of_14.a = _e24;
     let _e27 = pixel_37;
     let _e28 = skin_4;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
-    of_11.b = _e31;
+    of_14.b = _e31;
     let _e34 = pixel_37;
     let _e35 = skin_4;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
     let _e38 = gabor_impl_waves_pair(_e37);
-    of_11.c = _e38;
-    let _e39 = of_11;
+    of_14.c = _e38;
+    let _e39 = of_14;
     let _e40 = gabor_impl_zebra(zebra, _e39);
     return _e40;
 }
@@ -3406,11 +3568,11 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var moss: vec3<f32>;
     var colour_10: vec3<f32>;
     var coarse: vec3<f32>;
-    var height_8: vec3<f32>;
+    var height_9: vec3<f32>;
     var wholes: f32;
     var rises: f32;
     var both: f32;
-    var lost_11: vec3<f32>;
+    var lost_12: vec3<f32>;
     shape = (of_.c.first + (0.2f * of_.a.first));
     removed_7 = (of_.c.removed + (0.04f * of_.a.removed));
     let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
@@ -3454,7 +3616,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e131 = plate;
     let _e136 = coarse;
     let _e137 = gabor_impl_times(of_.a.first, _e136);
-    height_8 = ((bark.depth * _e131) + (0.018f * _e137));
+    height_9 = ((bark.depth * _e131) + (0.018f * _e137));
     let _e142 = whole_5;
     let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
     wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
@@ -3479,10 +3641,10 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e229 = coarse;
     let _e232 = coarse;
     let _e235 = both;
-    lost_11 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
+    lost_12 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
     let _e243 = colour_10;
-    let _e244 = height_8;
-    let _e245 = lost_11;
+    let _e244 = height_9;
+    let _e245 = lost_12;
     let _e248 = gabor_impl_material(_e243, _e244, _e245, bark.roughness, 0f);
     return _e248;
 }
@@ -3490,7 +3652,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
     var pixel_40: GaborPixel;
     var trunk_2: GaborWarped;
-    var of_13: GaborPairs;
+    var of_16: GaborPairs;
     var i_33: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_40 = _e8;
@@ -3498,19 +3660,19 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
-    of_13 = _e13;
+    of_16 = _e13;
     loop {
         let _e17 = i_33;
         if !((_e17 < 5i)) {
             break;
         }
-        let _e25 = of_13;
+        let _e25 = of_16;
         let _e27 = i_33;
         let _e28 = pixel_40;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
-        of_13.a = _e31;
+        of_16.a = _e31;
         continuing {
             let _e21 = i_33;
             i_33 = (_e21 + 1i);
@@ -3520,18 +3682,18 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_13.b = _e37;
+    of_16.b = _e37;
     let _e40 = pixel_40;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
-    of_13.c = _e43;
+    of_16.c = _e43;
     let _e46 = pixel_40;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
-    of_13.d = _e49;
-    let _e50 = of_13;
+    of_16.d = _e49;
+    let _e50 = of_16;
     let _e51 = gabor_impl_bark(bark, _e50);
     return _e51;
 }
@@ -3560,9 +3722,9 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWa
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
-    var local_72: vec2<f32>;
-    var local_73: vec2<f32>;
-    var local_74: vec2<f32>;
+    var local_79: vec2<f32>;
+    var local_80: vec2<f32>;
+    var local_81: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
@@ -3571,23 +3733,23 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         return _e15;
     }
     if (i == 4i) {
-        local_74 = vec2<f32>(0.1f, 0.33333334f);
+        local_81 = vec2<f32>(0.1f, 0.33333334f);
     } else {
         if (i == 5i) {
-            local_73 = vec2<f32>(0.14f, 1f);
+            local_80 = vec2<f32>(0.14f, 1f);
         } else {
             if (i == 6i) {
-                local_72 = vec2<f32>(0.25f, 2.8333333f);
+                local_79 = vec2<f32>(0.25f, 2.8333333f);
             } else {
-                local_72 = vec2<f32>(0.6f, 8.333333f);
+                local_79 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_72;
-            local_73 = _e35;
+            let _e35 = local_79;
+            local_80 = _e35;
         }
-        let _e37 = local_73;
-        local_74 = _e37;
+        let _e37 = local_80;
+        local_81 = _e37;
     }
-    let _e39 = local_74;
+    let _e39 = local_81;
     density_8 = _e39;
     let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
@@ -3598,8 +3760,8 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     var soft: vec3<f32>;
     var tones_4: vec2<f32>;
     var colour_11: vec3<f32>;
-    var height_9: vec3<f32>;
-    var lost_12: vec3<f32>;
+    var height_10: vec3<f32>;
+    var lost_13: vec3<f32>;
     let _e8 = gabor_impl_above(of_.c.first, of_.c.removed, 0.5f, 0.22f);
     soft = _e8;
     let _e16 = gabor_impl_tone(of_.e.first.x, of_.e.removed, 0.13f);
@@ -3627,12 +3789,12 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
     colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
     let _e92 = soft;
-    height_9 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
+    height_10 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
     let _e139 = gabor_impl_above_lost(of_.c.first, of_.c.removed, of_.c.lost, 0.5f, 0.22f);
-    lost_12 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
+    lost_13 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
     let _e143 = colour_11;
-    let _e145 = height_9;
-    let _e150 = lost_12;
+    let _e145 = height_10;
+    let _e150 = lost_13;
     let _e154 = gabor_impl_material(_e143, (strata.relief * _e145), ((strata.relief * strata.relief) * _e150), strata.roughness, 0f);
     return _e154;
 }
@@ -3640,7 +3802,7 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
     var pixel_43: GaborPixel;
     var rock_2: GaborWarped;
-    var of_15: GaborPairs;
+    var of_18: GaborPairs;
     var i_35: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_43 = _e8;
@@ -3648,19 +3810,19 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
-    of_15 = _e13;
+    of_18 = _e13;
     loop {
         let _e17 = i_35;
         if !((_e17 < 4i)) {
             break;
         }
-        let _e25 = of_15;
+        let _e25 = of_18;
         let _e27 = i_35;
         let _e28 = pixel_43;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
-        of_15.a = _e31;
+        of_18.a = _e31;
         continuing {
             let _e21 = i_35;
             i_35 = (_e21 + 1i);
@@ -3670,23 +3832,23 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_15.b = _e37;
+    of_18.b = _e37;
     let _e40 = pixel_43;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
-    of_15.c = _e43;
+    of_18.c = _e43;
     let _e46 = pixel_43;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
-    of_15.d = _e49;
+    of_18.d = _e49;
     let _e52 = pixel_43;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
-    of_15.e = _e55;
-    let _e56 = of_15;
+    of_18.e = _e55;
+    let _e56 = of_18;
     let _e57 = gabor_impl_strata(strata, _e56);
     return _e57;
 }
@@ -3696,7 +3858,7 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
     var pixel_44: GaborPixel;
     var board_5: GaborWarped;
-    var of_16: GaborPairs;
+    var of_19: GaborPairs;
     var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_44 = _e6;
@@ -3704,7 +3866,7 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_16 = _e11;
+    of_19 = _e11;
     loop {
         let _e15 = i_36;
         if !((_e15 < 3i)) {
@@ -3715,7 +3877,7 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
         let _e27 = pixel_44;
-        gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
             let _e19 = i_36;
             i_36 = (_e19 + 1i);
@@ -3723,7 +3885,7 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     }
     let _e29 = pixel_44;
     let _e30 = board_5;
-    let _e31 = of_16;
+    let _e31 = of_19;
     let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
     return _e32;
 }
@@ -3731,8 +3893,10 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
     var pixel_45: GaborPixel;
     var cloth_6: GaborWarped;
+    var local_82: f32;
+    var local_83: f32;
     var count_10: vec2<f32>;
-    var of_17: GaborPairs;
+    var of_20: GaborPairs;
     var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_45 = _e6;
@@ -3740,39 +3904,51 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
     let _e11 = pixel_45;
-    let _e14 = gabor_impl_repeated(_e11, fabric.threads, 2f);
-    count_10 = _e14;
-    let _e16 = gabor_impl_no_pairs();
-    of_17 = _e16;
+    if (fabric.weave < 0.5f) {
+        local_83 = 2f;
+    } else {
+        if (fabric.weave < 1.5f) {
+            local_82 = 4f;
+        } else {
+            local_82 = 16f;
+        }
+        let _e23 = local_82;
+        local_83 = _e23;
+    }
+    let _e25 = local_83;
+    let _e26 = gabor_impl_repeated(_e11, fabric.threads, _e25);
+    count_10 = _e26;
+    let _e28 = gabor_impl_no_pairs();
+    of_20 = _e28;
     loop {
-        let _e20 = i_37;
-        if !((_e20 < 4i)) {
+        let _e32 = i_37;
+        if !((_e32 < 4i)) {
             break;
         }
-        let _e28 = i_37;
-        let _e29 = cloth_6;
-        let _e30 = count_10;
-        let _e31 = gabor_impl_fabric_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_45;
-        gabor_impl_add_filtered_spots((&of_17), _e31, _e32);
+        let _e40 = i_37;
+        let _e41 = cloth_6;
+        let _e42 = count_10;
+        let _e43 = gabor_impl_fabric_layer(_e40, _e41, _e42, seed);
+        let _e44 = pixel_45;
+        gabor_impl_add_filtered_spots((&of_20), _e43, _e44);
         continuing {
-            let _e24 = i_37;
-            i_37 = (_e24 + 1i);
+            let _e36 = i_37;
+            i_37 = (_e36 + 1i);
         }
     }
-    let _e34 = pixel_45;
-    let _e35 = cloth_6;
-    let _e36 = count_10;
-    let _e37 = of_17;
-    let _e38 = gabor_impl_fabric(_e34, _e35, _e36, fabric, _e37);
-    return _e38;
+    let _e46 = pixel_45;
+    let _e47 = cloth_6;
+    let _e48 = count_10;
+    let _e49 = of_20;
+    let _e50 = gabor_impl_fabric(_e46, _e47, _e48, fabric, _e49);
+    return _e50;
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
     var pixel_46: GaborPixel;
     var cloth_7: GaborWarped;
     var count_11: vec2<f32>;
-    var of_18: GaborPairs;
+    var of_21: GaborPairs;
     var i_38: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_46 = _e6;
@@ -3783,7 +3959,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
     count_11 = _e14;
     let _e16 = gabor_impl_no_pairs();
-    of_18 = _e16;
+    of_21 = _e16;
     loop {
         let _e20 = i_38;
         if !((_e20 < 2i)) {
@@ -3794,7 +3970,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
         let _e30 = count_11;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
         let _e32 = pixel_46;
-        gabor_impl_add_filtered_spots((&of_18), _e31, _e32);
+        gabor_impl_add_filtered_spots((&of_21), _e31, _e32);
         continuing {
             let _e24 = i_38;
             i_38 = (_e24 + 1i);
@@ -3803,7 +3979,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
     let _e34 = pixel_46;
     let _e35 = cloth_7;
     let _e36 = count_11;
-    let _e37 = of_18;
+    let _e37 = of_21;
     let _e38 = gabor_impl_carbon_fibre(_e34, _e35, _e36, fibres, _e37);
     return _e38;
 }
@@ -3811,7 +3987,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
     var pixel_47: GaborPixel;
     var skin_5: GaborWarped;
-    var of_19: GaborPairs;
+    var of_22: GaborPairs;
     var i_39: i32 = 0i;
     var a_18: GaborLayer;
     var b_18: GaborLayer;
@@ -3821,7 +3997,7 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     let _e9 = gabor_impl_skin(_e8, leather, seed);
     skin_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_19 = _e11;
+    of_22 = _e11;
     loop {
         let _e15 = i_39;
         if !((_e15 < 4i)) {
@@ -3832,7 +4008,7 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
         let _e25 = skin_5;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
         let _e27 = pixel_47;
-        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_22), _e26, _e27);
         continuing {
             let _e19 = i_39;
             i_39 = (_e19 + 1i);
@@ -3848,16 +4024,16 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     b_18 = _e37;
     let _e40 = a_18;
     let _e41 = gabor_impl_waves_pair(_e40);
-    of_19.c = _e41;
+    of_22.c = _e41;
     let _e43 = b_18;
     let _e44 = gabor_impl_waves_pair(_e43);
-    of_19.d = _e44;
+    of_22.d = _e44;
     let _e45 = pixel_47;
     let _e46 = a_18;
     let _e47 = gabor_impl_turns(_e46);
     let _e48 = b_18;
     let _e49 = gabor_impl_turns(_e48);
-    let _e50 = of_19;
+    let _e50 = of_22;
     let _e51 = gabor_impl_leather(_e45, leather, _e47, _e49, _e50);
     return _e51;
 }
@@ -3865,18 +4041,18 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
     var pixel_48: GaborPixel;
     var stone_4: GaborWarped;
-    var of_20: GaborPairs;
+    var of_23: GaborPairs;
     var i_40: i32 = 0i;
     var material_1: GaborMaterial;
     var i_41: i32 = 4i;
-    var layer_10: GaborLayer;
+    var layer_12: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_48 = _e6;
     let _e8 = pixel_48;
     let _e9 = gabor_impl_stone(_e8, marble, seed);
     stone_4 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_20 = _e11;
+    of_23 = _e11;
     loop {
         let _e15 = i_40;
         if !((_e15 < 4i)) {
@@ -3887,14 +4063,14 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
         let _e27 = pixel_48;
-        gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
             let _e19 = i_40;
             i_40 = (_e19 + 1i);
         }
     }
-    let _e29 = of_20;
-    let _e31 = of_20;
+    let _e29 = of_23;
+    let _e31 = of_23;
     let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
     material_1 = _e33;
     loop {
@@ -3907,9 +4083,9 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             let _e45 = pixel_48;
             let _e46 = stone_4;
             let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
-            layer_10 = _e47;
+            layer_12 = _e47;
             let _e50 = i_41;
-            let _e51 = layer_10;
+            let _e51 = layer_12;
             let _e52 = pixel_48;
             let _e53 = gabor_impl_filtered_waves(_e51, _e52);
             gabor_impl_add_veins((&material_1), marble, _e50, _e53);
@@ -3926,7 +4102,7 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
     var pixel_49: GaborPixel;
     var dune_3: GaborWarped;
-    var of_21: GaborPairs;
+    var of_24: GaborPairs;
     var i_42: i32 = 0i;
     var ripples_2: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
@@ -3935,7 +4111,7 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e9 = gabor_impl_dune(_e8, seed);
     dune_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_21 = _e11;
+    of_24 = _e11;
     loop {
         let _e15 = i_42;
         if !((_e15 < 4i)) {
@@ -3946,7 +4122,7 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
         let _e27 = pixel_49;
-        gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
             let _e19 = i_42;
             i_42 = (_e19 + 1i);
@@ -3959,51 +4135,56 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e35 = ripples_2;
     let _e36 = pixel_49;
     let _e37 = gabor_impl_filtered_waves(_e35, _e36);
-    of_21.c = _e37;
+    of_24.c = _e37;
     let _e38 = ripples_2;
-    let _e39 = of_21;
+    let _e39 = of_24;
     let _e40 = gabor_impl_sand(sand, _e38, _e39);
     return _e40;
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
     var pixel_50: GaborPixel;
-    var sum_27: GaborPair;
+    var of_25: GaborPairs;
+    var layers_1: i32;
     var i_43: i32 = 0i;
-    var layer_11: GaborLayer;
+    var layer_13: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_50 = _e6;
-    let _e8 = gabor_impl_no_pair();
-    sum_27 = _e8;
+    let _e8 = gabor_impl_no_pairs();
+    of_25 = _e8;
+    let _e10 = gabor_impl_metal_layers(metal);
+    layers_1 = _e10;
     loop {
-        let _e12 = i_43;
-        if !((_e12 < 5i)) {
+        let _e14 = i_43;
+        let _e15 = layers_1;
+        if !((_e14 < _e15)) {
             break;
         }
         {
-            let _e19 = i_43;
-            let _e20 = pixel_50;
-            let _e21 = gabor_impl_streaks_layer(_e19, _e20, metal, seed);
-            layer_11 = _e21;
-            let _e24 = i_43;
-            let _e25 = layer_11;
-            let _e26 = pixel_50;
-            let _e27 = gabor_impl_filtered_spots(_e25, _e26);
-            gabor_impl_add_streaks((&sum_27), _e24, _e27);
+            let _e21 = i_43;
+            let _e22 = pixel_50;
+            let _e23 = gabor_impl_metal_layer(_e21, _e22, metal, seed);
+            layer_13 = _e23;
+            let _e26 = i_43;
+            let _e27 = layer_13;
+            let _e28 = layer_13;
+            let _e29 = pixel_50;
+            let _e30 = gabor_impl_filtered_spots(_e28, _e29);
+            gabor_impl_add_metal((&of_25), _e26, _e27, _e30);
         }
         continuing {
-            let _e16 = i_43;
-            i_43 = (_e16 + 1i);
+            let _e18 = i_43;
+            i_43 = (_e18 + 1i);
         }
     }
-    let _e29 = sum_27;
-    let _e30 = gabor_impl_brushed_metal(metal, _e29);
-    return _e30;
+    let _e32 = of_25;
+    let _e33 = gabor_impl_brushed_metal(metal, _e32);
+    return _e33;
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
     var pixel_51: GaborPixel;
-    var sum_28: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_44: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_51 = _e6;
@@ -4018,13 +4199,13 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
         let _e33 = pixel_51;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
-        gabor_impl_add_scratches((&sum_28), scratches, _e29, _e34);
+        gabor_impl_add_scratches((&sum_24), scratches, _e29, _e34);
         continuing {
             let _e25 = i_44;
             i_44 = (_e25 + 1i);
         }
     }
-    let _e36 = sum_28;
+    let _e36 = sum_24;
     let _e37 = gabor_impl_scratches(scratches, _e36);
     return _e37;
 }
@@ -4033,7 +4214,7 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     var pixel_52: GaborPixel;
     var skin_6: GaborWarped;
     var direction_3: f32;
-    var of_22: GaborPairs;
+    var of_26: GaborPairs;
     var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_52 = _e6;
@@ -4044,7 +4225,7 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
-    of_22 = _e14;
+    of_26 = _e14;
     loop {
         let _e18 = i_45;
         if !((_e18 < 2i)) {
@@ -4056,7 +4237,7 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
         let _e31 = pixel_52;
-        gabor_impl_add_filtered_spots((&of_22), _e30, _e31);
+        gabor_impl_add_filtered_spots((&of_26), _e30, _e31);
         continuing {
             let _e22 = i_45;
             i_45 = (_e22 + 1i);
@@ -4068,8 +4249,8 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
     let _e39 = pixel_52;
     let _e40 = gabor_impl_filtered_waves(_e38, _e39);
-    of_22.c = _e40;
-    let _e41 = of_22;
+    of_26.c = _e40;
+    let _e41 = of_26;
     let _e42 = gabor_impl_zebra(zebra, _e41);
     return _e42;
 }
@@ -4077,7 +4258,7 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
     var pixel_53: GaborPixel;
     var trunk_3: GaborWarped;
-    var of_23: GaborPairs;
+    var of_27: GaborPairs;
     var i_46: i32 = 0i;
     var i_47: i32 = 6i;
     var pair_5: GaborPair;
@@ -4087,7 +4268,7 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_23 = _e11;
+    of_27 = _e11;
     loop {
         let _e15 = i_46;
         if !((_e15 < 6i)) {
@@ -4098,7 +4279,7 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
         let _e27 = pixel_53;
-        gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_27), _e26, _e27);
         continuing {
             let _e19 = i_46;
             i_46 = (_e19 + 1i);
@@ -4120,10 +4301,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             let _e45 = i_47;
             if (_e45 == 6i) {
                 let _e49 = pair_5;
-                of_23.c = _e49;
+                of_27.c = _e49;
             } else {
                 let _e51 = pair_5;
-                of_23.d = _e51;
+                of_27.d = _e51;
             }
         }
         continuing {
@@ -4131,7 +4312,7 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             i_47 = (_e35 + 1i);
         }
     }
-    let _e52 = of_23;
+    let _e52 = of_27;
     let _e53 = gabor_impl_bark(bark, _e52);
     return _e53;
 }
@@ -4139,7 +4320,7 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
     var pixel_54: GaborPixel;
     var rock_3: GaborWarped;
-    var of_24: GaborPairs;
+    var of_28: GaborPairs;
     var i_48: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_54 = _e6;
@@ -4147,7 +4328,7 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
-    of_24 = _e11;
+    of_28 = _e11;
     loop {
         let _e15 = i_48;
         if !((_e15 < 8i)) {
@@ -4158,13 +4339,13 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
         let _e27 = pixel_54;
-        gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_28), _e26, _e27);
         continuing {
             let _e19 = i_48;
             i_48 = (_e19 + 1i);
         }
     }
-    let _e29 = of_24;
+    let _e29 = of_28;
     let _e30 = gabor_impl_strata(strata, _e29);
     return _e30;
 }
@@ -4183,7 +4364,7 @@ fn gabor_wood_default() -> GaborWood {
     return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
 }
 fn gabor_fabric_default() -> GaborFabric {
-    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f);
+    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f, 0f);
 }
 fn gabor_leather_default() -> GaborLeather {
     return GaborLeather(vec3<f32>(0.2f, 0.068f, 0.026f), vec3<f32>(0.04f, 0.014f, 0.007f), 6.88f, 1f, 1f, 0.4f);
@@ -4195,7 +4376,7 @@ fn gabor_sand_default() -> GaborSand {
     return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
 }
 fn gabor_brushed_metal_default() -> GaborBrushedMetal {
-    return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), 9f, 0.09f, 0.0012f, 0.36f);
+    return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), vec3<f32>(0.14f, 0.33f, 0.27f), 9f, 0.09f, 0.0012f, 0.36f, 0f);
 }
 fn gabor_scratches_default() -> GaborScratches {
     return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);

@@ -15,6 +15,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstring>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,20 +58,31 @@ T parameters_of(const Numbers& numbers) {
     [](Vec2 p, float w, const Numbers& n, unsigned seed) { \
         return name##_filtered_at(p, Vec2(w, 0), Vec2(0, w), Vec2(0), parameters_of<type>(n), seed); }}
 // clang-format on
-const Material materials[]{
-    MADE(GaborWood, gabor_wood, 2e-4f, 0.15, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
-    MADE(GaborFabric, gabor_fabric, 2e-4f, 0.1, 0.09, Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}}),
-    MADE(GaborLeather, gabor_leather, 1e-3f, 0.25, 0.1, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
-    MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
-    MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
-    MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.03,
-         Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}}),
-    MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
-         Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
-    MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08, Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
-    MADE(GaborBark, gabor_bark, 4e-4f, 0.36, 0.17, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
-    MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.13, Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
-    MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
+const std::vector<Material> materials = [] {
+    std::vector<Material> all{
+        MADE(GaborWood, gabor_wood, 2e-4f, 0.15, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
+        MADE(GaborFabric, gabor_fabric, 2e-4f, 0.1, 0.09,
+             Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}, {0, 2}}),
+        MADE(GaborLeather, gabor_leather, 1e-3f, 0.25, 0.1, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
+        MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
+        MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
+        MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.06,
+             Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}, {0, 1}}),
+        MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
+             Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
+        MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08,
+             Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
+        MADE(GaborBark, gabor_bark, 4e-4f, 0.36, 0.17, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
+        MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.13,
+             Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
+        MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
+    for (const auto& [base, name, last] : {std::tuple(1, "herringbone", 2.0f), {5, "patina", 0.55f}}) {
+        all.push_back(all[static_cast<std::size_t>(base)]);
+        all.back().name = name;
+        all.back().defaults.back() = last;
+    }
+    return all;
+}();
 
 double wide(float x) {
     return static_cast<double>(x);

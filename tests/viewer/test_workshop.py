@@ -34,7 +34,7 @@ class Workshop(EventsTest):
         self.exported()
 
     def test_presets_are_pictures(self):
-        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
+        self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
         # Bark is the fourth of seven presets in a row. The row is centred in the view, and its cells are 136 pixels wide.
@@ -168,7 +168,7 @@ class Workshop(EventsTest):
             self.frames(2)
             self.assertEqual(self.state["popup"], opens)
         azimuth = self.document["light_azimuth"]
-        self.drag(782, 539, 880, 539) # its slider
+        self.drag(782, 587, 880, 587) # its slider
         self.assertFalse(self.state["popup"])
         self.assertGreater(self.document["light_azimuth"], azimuth + 30)
         self.close()
