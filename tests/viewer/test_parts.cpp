@@ -6,12 +6,15 @@
 #include "error.hpp"
 #include "noise/recipe.hpp"
 #include "render/load.hpp"
+#include "render/parameters.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 using namespace gabor;
 using namespace gabor::viewer;
@@ -53,6 +56,60 @@ TEST_CASE("undo and redo go step by step, and moving the camera is not a step") 
     history.now.request.seed = 11;
     history.commit();
     CHECK_FALSE(history.can_redo());
+}
+
+// A value of the parameter other than the request's, or nothing if it has only one.
+std::optional<render::Value> other_value(const render::Parameter& parameter, const render::Request& request) {
+    using Kind = render::Parameter::Kind;
+    const render::Value now = *parameter.get(request);
+    switch (parameter.kind) {
+    case Kind::flag:
+        return !std::get<bool>(now);
+    case Kind::integer:
+    case Kind::number:
+    case Kind::angle: {
+        const auto [low, high] = parameter.slider;
+        const double middle = std::floor(low + 0.5 * (high - low));
+        return std::get<double>(now) == middle ? high : middle;
+    }
+    case Kind::colour:
+        return std::array{0.1, 0.2, 0.3};
+    case Kind::choice:
+        for (const std::string_view choice : parameter.choices)
+            if (std::string(choice) != std::get<std::string>(now))
+                return std::string(choice);
+        [[fallthrough]];
+    default:
+        return {};
+    }
+}
+
+TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
+    constexpr std::array still{"time", "yaw", "pitch", "zoom", "focal_length", "altitude"};
+    std::set<std::string_view> seen;
+    std::vector<render::Request> requests;
+    for (const std::string_view view : render::parameter("view").choices) {
+        requests.emplace_back();
+        render::set(requests.back(), "view", std::string(view));
+    }
+    for (const std::string_view material : render::parameter("material").choices) {
+        requests.emplace_back();
+        render::set(requests.back(), "material", std::string(material));
+    }
+    for (const render::Request& request : requests)
+        for (const render::Parameter& parameter : render::parameters()) {
+            const auto value =
+                parameter.scope.holds(request) ? other_value(parameter, request) : std::nullopt;
+            if (!value)
+                continue;
+            History history(document_of(request));
+            parameter.place.put(history.now.request, *value);
+            history.commit();
+            INFO(parameter.name << " in " << render::to_json(request));
+            CHECK(history.can_undo() == (std::ranges::find(still, parameter.name) == still.end()));
+            seen.insert(parameter.name);
+        }
+    CHECK(seen.size() > render::parameters().size() - 4); // texts and lobes have tests of their own
 }
 
 TEST_CASE("settings are read as they were saved") {
