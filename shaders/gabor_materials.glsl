@@ -1280,8 +1280,10 @@ GaborWarped gabor_impl_trunk(GaborPixel pixel, uint seed) {
 
 // Five octaves of roughness, moss, furrows, and cracks.
 GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, uint seed) {
-    if (i < 5) return gabor_impl_octave(trunk, vec2(7.0, 3.0), i, 5, 0.75, gabor_lobe_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(1.1, 0.7), seed, 6);
+    GaborWarped at = trunk;
+    if (i > 1 && i < 6) at = gabor_impl_unwarped(pixel); // the trunk's warps would stretch small spots into smears
+    if (i < 5) return gabor_impl_octave(at, vec2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
+    if (i == 5) return gabor_impl_spots_layer(1, at, vec2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, vec2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
     return gabor_impl_waves_layer(3, trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }

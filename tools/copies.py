@@ -21,9 +21,9 @@ def needed(path):
 
 
 def struct_rows(*trees):
-    """Returns the program's table of the parameters of materials and of erosion: the members of the structs, with the defaults that
+    """Returns the program's table of the parameters of materials, boards and erosion: the members of the structs, with the defaults that
     their functions return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
-    lines = ["// Generated from gabor_materials.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
+    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
         if function.parameters or not function.name.text.endswith(("_default", "_erosion")):
@@ -51,7 +51,7 @@ def struct_rows(*trees):
 def made(shader):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(trees["gabor_materials"], trees["gabor_erosion"])
+    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
     texts = {name: tree.text for name, tree in trees.items()}
     texts |= {path.stem: path.read_text() for path in (ROOT / "shaders" / "passes").glob("*.glsl")}
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())

@@ -54,10 +54,12 @@ void print_recipes(bool as_json) {
 void print_material(const std::string& name) {
     render::Request request;
     render::set(request, "material", name);
-    for (const render::Parameter& p : render::parameters())
-        if (p.group == render::Parameter::Group::material && p.scope.holds(request))
-            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
-                       render::to_text(*p.get(request)));
+    request.boards = true;
+    for (const auto group : {render::Parameter::Group::material, render::Parameter::Group::boards})
+        for (const render::Parameter& p : render::parameters())
+            if (p.group == group && p.scope.holds(request))
+                fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
+                           render::to_text(*p.get(request)));
 }
 
 } // namespace

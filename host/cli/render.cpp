@@ -309,7 +309,8 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     option("--level", options->level, "NUMBER",
            "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
 
-    for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material})
+    for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material,
+                             render::Parameter::Group::boards})
         parameters("", group); // `gabor erode` and `gabor materials` list them
     command->callback([options] { render_pictures(*options); });
 }

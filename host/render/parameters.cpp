@@ -110,7 +110,9 @@ constexpr Constant orbits{"the sphere, torus, landscape or ocean view",
 constexpr Constant cameras{"the landscape or ocean view",
                            [](const Request& r) { return is_landscape(r) || has_sea(r); }};
 constexpr Constant lit{"a material, terrain or the ocean view", has_material};
-constexpr Constant lamps{"a material", [](const Request& r) { return r.material != no_material; }};
+constexpr Constant of_material{"a material", [](const Request& r) { return r.material != no_material; }};
+constexpr Constant laid{"a material with boards",
+                        [](const Request& r) { return of_material.holds(r) && r.boards; }};
 constexpr Constant terrain{"the terrain or landscape view", has_terrain};
 constexpr Constant sea{"the ocean view", has_sea};
 
@@ -240,6 +242,8 @@ std::vector<Parameter> noise_rows() {
             "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. "
             "`gabor materials NAME` lists the options of one material, such as --wood.rings",
             in_request(&Request::material), std::move(with_none)),
+        row("boards", Kind::flag, "", none, none, scopes::of_material,
+            "Lay the material as planks or tiles, with joints between them", in_request(&Request::boards)),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
@@ -314,7 +318,7 @@ std::vector<Parameter> light_rows() {
             "Direction that the light comes from: 0 is right, 90 below", in_request(&Request::light_azimuth)),
         row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, scopes::lit,
             "Angle of the light above the surface", in_request(&Request::light_elevation)),
-        row("environment", Kind::choice, "", none, none, scopes::lamps,
+        row("environment", Kind::choice, "", none, none, scopes::of_material,
             "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
             by_index(&Request::environment, environments), {environments.begin(), environments.end()}),
     };
@@ -373,13 +377,15 @@ Place in_look(const StructRow& made) {
 
 Parameter struct_row(const StructRow& made) {
     const std::size_t dot = made.name.find('.');
-    const std::string_view material = made.name.substr(0, dot);
-    const Scope one_material{fmt::format("the {} material", material),
-                             [material](const Request& request) { return request.material == material; }};
-    Parameter p =
-        row(made.name, made.kind, made.kind == Kind::angle ? "degrees" : "", made.range, made.slider,
-            dot == made.name.npos ? Scope(scopes::terrain) : one_material, made.help, in_look(made));
-    p.group = dot == made.name.npos ? Group::erosion : Group::material;
+    const std::string_view of = made.name.substr(0, dot);
+    const Scope one_material{fmt::format("the {} material", of),
+                             [of](const Request& request) { return request.material == of; }};
+    const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
+                                : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
+                                                 : std::pair(Group::material, one_material);
+    Parameter p = row(made.name, made.kind, made.kind == Kind::angle ? "degrees" : "", made.range,
+                      made.slider, scope, made.help, in_look(made));
+    p.group = group;
     return p;
 }
 
@@ -399,11 +405,6 @@ std::vector<Parameter> make_table() {
     add(Group::sea, sea_rows());
     std::ranges::transform(of_structs, std::back_inserter(table), struct_row);
     return table;
-}
-
-// Tells whether other parameters exist or not depending on this one.
-bool decides(const Parameter& p) {
-    return p.kind == Kind::lobes || p.name == "view" || p.name == "material";
 }
 
 // ---- Conflicts ----
@@ -652,10 +653,10 @@ std::string to_text(const Value& value) {
 }
 
 void set(Request& request, const Values& values, std::string (*called)(const Parameter&)) {
-    for (const bool deciding : {true, false})
+    for (const int rank : {0, 1, 2})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter& p = *named.first;
-            if (deciding != decides(p))
+            if (rank != (p.name == "boards" ? 1 : decides(p) ? 0 : 2)) // a material comes before its boards
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
             if (!p.get(request))
@@ -675,6 +676,10 @@ std::optional<Value> default_of(const Parameter& parameter, const Request& reque
     fresh.view = view_of(name_of(request.view), fresh.view);
     fresh.lobes.resize(request.lobes.size());
     return parameter.place.get(fresh);
+}
+
+bool decides(const Parameter& p) {
+    return p.kind == Kind::lobes || p.name == "view" || p.name == "material" || p.name == "boards";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -705,7 +710,10 @@ std::vector<float> struct_values(const Request& request) {
     const Group group = has_terrain(request) ? Group::erosion : Group::material;
     std::vector<float> values;
     for (const Parameter& p : parameters()) {
-        const std::optional<Value> value = p.group == group ? p.get(request) : std::nullopt;
+        const bool of_boards = group == Group::material && p.group == Group::boards;
+        const std::optional<Value> value = of_boards          ? p.place.get(request)
+                                           : p.group == group ? p.get(request)
+                                                              : std::nullopt;
         if (!value)
             continue;
         if (const auto* colour = std::get_if<std::array<double, 3>>(&*value)) {

@@ -36,7 +36,7 @@ struct Place {
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, lobes, colour };
     /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
-    enum class Group { picture, noise, view, light, terrain, sea, erosion, material };
+    enum class Group { picture, noise, view, light, boards, terrain, sea, erosion, material };
 
     std::string_view name; ///< name in JSON; the command-line option has - instead of _
     Kind kind;
@@ -86,7 +86,10 @@ std::string accepted(const Parameter& parameter);
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
-/// Sets values. Starts with view, material and lobes, which decide what other parameters exist. Throws
+/// Tells whether other parameters exist or not depending on this one: view, material, boards and lobes.
+bool decides(const Parameter& parameter);
+
+/// Sets values. Starts with those that decide what other parameters exist. Throws
 /// RequestError for a value out of range, or a parameter that the request does not have. The message uses
 /// `called` to name the parameter, either the name in JSON or the command-line option.
 using Values = std::vector<std::pair<const Parameter*, Value>>;

@@ -307,6 +307,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     constants[passes::view_id] = view_constant(request.view);
     constants[passes::tiled_id] = is_tiled(request);
     constants[passes::environment_id] = vulkan::constant(request.environment);
+    constants[passes::boards_id] = request.boards;
     plan.tables = {bytes_of(struct_values(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');

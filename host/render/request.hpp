@@ -99,6 +99,7 @@ struct Request {
                                                                  ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
+    bool boards = false;    ///< lay the material as planks or tiles
     int cover = 0;          ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)

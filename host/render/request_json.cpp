@@ -174,7 +174,7 @@ Request from_json(std::string_view text) {
         if (lobes && lobes->empty())
             continue; // the other values describe the lobe
         has_lobes |= lobes != nullptr;
-        (lobes || p.name == "view" || p.name == "material" ? deciding : others).emplace_back(&p, value);
+        (decides(p) ? deciding : others).emplace_back(&p, value);
     }
     set(request, deciding);
     std::erase_if(others, [&](const auto& each) {

@@ -225,6 +225,8 @@ void material_panel(Session& session) {
     control(session, "material");
     controls_of(session, render::Parameter::Group::material);
     controls(session, {"scale", "seed"});
+    control(session, "boards");
+    controls_of(session, render::Parameter::Group::boards);
 }
 
 void terrain_panel(Session& session) {

@@ -44,8 +44,8 @@ struct View : Document {
     }
 };
 
-// Sets the members of the struct `m` whose parameters differ from their defaults.
-std::string members_of(const View& view, render::Parameter::Group group) {
+// Sets the members of a struct whose parameters differ from their defaults.
+std::string members_of(const View& view, render::Parameter::Group group, std::string_view of = "m") {
     std::string text;
     for (const render::Parameter& p : render::parameters())
         if (p.group == group && render::is_set(view.request, p.name)) {
@@ -54,7 +54,7 @@ std::string members_of(const View& view, render::Parameter::Group group) {
             double number = colour ? 0 : std::get<double>(value);
             if (p.kind == render::Parameter::Kind::angle)
                 number = noise::radians(number);
-            text += glsl("    m.{} = {};\n", p.name.substr(p.name.find('.') + 1),
+            text += glsl("    {}.{} = {};\n", of, p.name.substr(p.name.find('.') + 1),
                          colour                                       ? literal(*colour)
                          : p.kind == render::Parameter::Kind::integer ? fmt::format("{}", number)
                                                                       : literal(number));
@@ -263,16 +263,27 @@ std::string material_function(const View& view) {
     std::ranges::replace(function, '-', '_');
     for (std::size_t dash = 0; (dash = type.find('-', dash)) != std::string::npos;)
         type.replace(dash, 2, 1, static_cast<char>(std::toupper(static_cast<unsigned char>(type[dash + 1]))));
-    return glsl(
-        "\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
-        "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = gabor_{}_default();\n{}"
-        "    return gabor_{}{}, {}, m, {}u);\n}}\n\n",
-        type, function, members_of(view, render::Parameter::Group::material), function,
-        request.filter ? "_filtered_at(p, dx, dy" : "_at(p",
+    const std::string period =
         render::is_tiled(request)
             ? literal(std::array{request.width / request.scale, request.height / request.scale})
-            : "vec2(0.0)",
-        request.seed);
+            : "vec2(0.0)";
+    const auto material = [&](std::string_view p, std::string_view pixel, std::string_view tile,
+                              const std::string& seed) {
+        return glsl("gabor_{}{}_at({}{}, {}, m, {})", function, request.filter ? "_filtered" : "", p,
+                    request.filter ? pixel : "", tile, seed);
+    };
+    return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
+                "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
+                "gabor_{}_default();\n{}",
+                type, function, members_of(view, render::Parameter::Group::material)) +
+           (request.boards ? glsl("    GaborBoards boards = gabor_boards_default();\n{}"
+                                  "    GaborBoard board = gabor_board(p, {}, {}, boards, {}u);\n"
+                                  "    return gabor_laid({}, board, boards);\n}}\n\n",
+                                  members_of(view, render::Parameter::Group::boards, "boards"),
+                                  request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", period, request.seed,
+                                  material("board.p", ", board.dx, board.dy", "vec2(0.0)", "board.seed"))
+                           : glsl("    return {};\n}}\n\n",
+                                  material("p", ", dx, dy", period, fmt::format("{}u", request.seed))));
 }
 
 // GLSL for the colour that each Look shows of the Sample `here`.
@@ -289,7 +300,8 @@ std::string material_snippet(const View& view) {
         glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
-    return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials"}) +
+    return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials",
+                     view.request.boards ? "compose" : ""}) +
            material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"

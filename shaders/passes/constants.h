@@ -48,10 +48,11 @@ const uint few_waves_id = 26;
 const uint narrow_waves_id = 27;
 const uint wide_waves_id = 28;
 
-// passes/material.comp: what surrounds the material
+// passes/material.comp: what surrounds the material, and whether it is laid as boards
 const uint environment_id = 29;
+const uint boards_id = 30;
 
-const uint constant_count = 30;
+const uint constant_count = 31;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

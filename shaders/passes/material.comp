@@ -10,11 +10,13 @@
 #include "gabor_spectrum.glsl"
 #include "gabor_filter.glsl"
 #include "gabor_materials.glsl"
+#include "gabor_compose.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;
 layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
 layout(constant_id = environment_id) const int environment = 0;
+layout(constant_id = boards_id) const bool laid = false;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? material_coverage + 1 : material_slope + 2;
 const int rays = 4;
@@ -26,15 +28,27 @@ const int rays = 4;
 layout(local_size_x = material_group, local_size_y = material_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Parameters { GABOR_PARAMETERS parameters; };
+layout(std430, set = 0, binding = 1) readonly buffer Parameters {
+    GABOR_PARAMETERS parameters;
+    GaborBoards boards;
+};
 
 GABOR_PARAMETERS look;
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     vec2 period = tiled ? pixel * size : vec2(0.0);
+    GaborBoard board;
+    if (laid)
+        board = gabor_board(p, filtered ? dx : vec2(0.0), filtered ? dy : vec2(0.0), period, boards, seed);
+    else
+        board = GaborBoard(p, dx, dy, seed, vec2(0.0), 0.0, vec3(0.0));
+    period = laid ? vec2(0.0) : period;
+    GaborMaterial material;
     if (filtered)
-        return GABOR_FILTERED(p, dx, dy, period, look, seed);
-    return GABOR_MATERIAL(p, period, look, seed);
+        material = GABOR_FILTERED(board.p, board.dx, board.dy, period, look, board.seed);
+    else
+        material = GABOR_MATERIAL(board.p, period, look, board.seed);
+    return laid ? gabor_laid(material, board, boards) : material;
 }
 
 #include "relief.glsl"

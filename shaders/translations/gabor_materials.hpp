@@ -1285,8 +1285,10 @@ GABOR_INLINE GaborWarped gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) 
 
 // Five octaves of roughness, moss, furrows, and cracks.
 GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, std::uint32_t seed) {
-    if (i < 5) return gabor_impl_octave(trunk, gabor_vec2(7.0f, 3.0f), i, 5, 0.75f, gabor_lobe_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(1.1f, 0.7f), seed, 6);
+    GaborWarped at = trunk;
+    if (i > 1 && i < 6) at = gabor_impl_unwarped(pixel); // the trunk's warps would stretch small spots into smears
+    if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_lobe_seed(seed, 5));
+    if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
     return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
 }

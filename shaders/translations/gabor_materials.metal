@@ -1286,8 +1286,10 @@ inline GaborWarped gabor_impl_trunk(GaborPixel pixel, uint seed) {
 
 // Five octaves of roughness, moss, furrows, and cracks.
 inline GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, uint seed) {
-    if (i < 5) return gabor_impl_octave(trunk, float2(7.0, 3.0), i, 5, 0.75, gabor_lobe_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), float2(1.1, 0.7), seed, 6);
+    GaborWarped at = trunk;
+    if (i > 1 && i < 6) at = gabor_impl_unwarped(pixel); // the trunk's warps would stretch small spots into smears
+    if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
+    if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
     return gabor_impl_waves_layer(3, trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 062e9544fd28c0d9.
+// naga 30.0.1 made it from GLSL with the digest 630b88555d2b27d2.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -3536,22 +3536,29 @@ fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 // Five octaves of roughness, moss, furrows, and cracks.
 fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborWarped, bark: GaborBark, seed: u32) -> GaborLayer {
+    var at_12: GaborWarped;
+    at_12 = trunk;
+    if ((i > 1i) && (i < 6i)) {
+        let _e11 = gabor_impl_unwarped(pixel);
+        at_12 = _e11;
+    }
     if (i < 5i) {
-        let _e13 = gabor_lobe_seed(seed, 5i);
-        let _e14 = gabor_impl_octave(trunk, vec2<f32>(7f, 3f), i, 5i, 0.75f, _e13);
-        return _e14;
+        let _e14 = at_12;
+        let _e21 = gabor_lobe_seed(seed, 5i);
+        let _e22 = gabor_impl_octave(_e14, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e21);
+        return _e22;
     }
     if (i == 5i) {
-        let _e18 = gabor_impl_unwarped(pixel);
-        let _e23 = gabor_impl_spots_layer(1i, _e18, vec2<f32>(1.1f, 0.7f), seed, 6i);
-        return _e23;
+        let _e26 = at_12;
+        let _e31 = gabor_impl_spots_layer(1i, _e26, vec2<f32>(1.1f, 0.7f), seed, 6i);
+        return _e31;
     }
     if (i == 6i) {
-        let _e42 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
-        return _e42;
+        let _e50 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
+        return _e50;
     }
-    let _e50 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
-    return _e50;
+    let _e58 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
+    return _e58;
 }
 
 fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {

@@ -32,7 +32,7 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover",
+                              "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover", "--boards",
                               "--wind", "--fetch", "--altitude",
                               "--maps", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
@@ -114,8 +114,8 @@ class Help(ProgramTest):
         self.assertEqual(len(materials), 11)
         for material in materials:
             options = re.findall(r"(?m)^--(\S+) +[A-Z].*\[\S+\]$", self.succeed("materials", material))
-            self.assertTrue(5 <= len(options) <= 8, material)
-            self.assertEqual({option.partition(".")[0] for option in options}, {material})
+            self.assertTrue(13 <= len(options) <= 16, material)
+            self.assertEqual({option.partition(".")[0] for option in options}, {material, "boards"})
         self.assertRegex(self.succeed("materials", "wood"), r"--wood.rings +Growth rings per unit: a number from 2 to 60 \[13\]")
 
     def test_help_writes_nothing(self):

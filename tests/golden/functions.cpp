@@ -42,6 +42,8 @@
 #endif
 #if defined GOLDEN_MATERIALS
 #include "gabor_materials.hpp"
+
+#include "gabor_compose.hpp"
 #endif
 
 namespace {

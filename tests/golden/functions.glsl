@@ -407,5 +407,14 @@ void see_all(int i) {
     MATERIAL(gabor_bark, gabor_bark_filtered, gabor_bark_default, gabor_bark_at, gabor_bark_filtered_at)
     MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at)
     MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at)
+    GaborBoards boards = gabor_boards_default();
+    boards.turns = 0.5f;
+    GaborBoard board = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), period, boards, s.seed);
+    GaborBoard blurred = gabor_board(p, dx, dy, vec2(0.0f, 0.0f), boards, s.seed);
+    GaborMaterial metal = gabor_brushed_metal(p, s.seed), stone = gabor_marble(p, s.seed);
+    SEE(kept(gabor_laid(gabor_wood(board.p, board.seed), board, boards)))
+    SEE(kept(gabor_laid(gabor_wood_filtered(blurred.p, blurred.dx, blurred.dy, blurred.seed), blurred, boards)))
+    SEE(kept(gabor_covered(metal, stone, 0.002f)))
+    SEE(kept(gabor_worn(metal, stone, 0.002f)))
 #endif
 }

@@ -183,7 +183,8 @@ TEST_CASE("ranges, sliders and defaults equal those in the golden file", "[reque
         std::optional<Value> value;
         for (const std::string_view view : views)
             value = value ? value : parameter.get(of_view(view));
-        if (parameter.group != Parameter::Group::material && parameter.kind != Parameter::Kind::lobes)
+        if (parameter.group != Parameter::Group::material && parameter.group != Parameter::Group::boards &&
+            parameter.kind != Parameter::Kind::lobes)
             add(parameter.name, parameter.range, parameter.slider, value ? render::to_text(*value) : "none");
     }
     for (const render::LobeParameter& parameter : render::lobe_parameters())

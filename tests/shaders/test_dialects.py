@@ -23,7 +23,7 @@ FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_spectrum": ["gabor_noise", "gabor_spectrum", "gabor_filter"],
     "gabor_noise_3d": ["gabor_noise", "gabor_filter", "gabor_noise_3d", "gabor_filter_3d"],
-    "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials"],
+    "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials", "gabor_compose"],
     "gabor_erosion": ["gabor_noise", "gabor_erosion"],
     "gabor_ocean": ["gabor_noise", "gabor_ocean"],
     "gabor_direction": ["gabor_noise", "gabor_direction"],
@@ -155,7 +155,7 @@ class Dialects(unittest.TestCase):
     def test_bundles_compile(self):
         subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
-        self.assertEqual(len(bundles), 20)
+        self.assertEqual(len(bundles), 22)
         for bundle in bundles:
             for version in ("450", "300 es"):
                 with self.subTest(bundle.name, version=version):

@@ -60,6 +60,8 @@ def _members() -> dict[str, dict[str, Member]]:
     for row, kind, (low, high), about in _native.ROWS:
         owner, _, name = row.rpartition(".")
         kernel = owner.replace("-", "_") or "terrain"
+        if kernel not in _native.KERNELS:
+            continue
         name = {"gully_frequency": "frequency"}.get(name, name)
         of = members.setdefault(kernel, {})
         first = sum(3 if each.kind == "colour" else 1 for each in of.values())

@@ -1,0 +1,161 @@
+// gabor_compose.glsl: materials together, as planks and tiles, one over another, or worn.
+//
+// Paste or include this file after gabor_materials.glsl.
+//
+//     GaborBoards planks = gabor_boards_default();
+//     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
+//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     m = gabor_laid(m, board, planks);
+//     GaborMaterial dusty = gabor_covered(m, gabor_sand(p, 8u), 0.02);                 // sand where it lies above m
+//     GaborMaterial rubbed = gabor_worn(m, gabor_brushed_metal(p, 8u), 0.01);          // metal where m stands out
+//
+//     I want                                 call
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
+//     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
+//     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
+//     no two objects alike                   another seed for each
+//
+// The slope of the result remains the derivative of its height. A board costs as much as four hashes, the others
+// nothing to speak of. For filtered materials, `softness` should not be less than the heights differ within a pixel.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#ifndef GABOR_MATERIALS_GLSL
+#error Include gabor_noise.glsl, gabor_spectrum.glsl and gabor_materials.glsl before gabor_compose.glsl
+#endif
+#ifndef GABOR_COMPOSE_GLSL
+#define GABOR_COMPOSE_GLSL
+
+// ---- Boards --------------------------------------------------------------------------------------------------------
+
+// Boards in columns along y or, if they are wider than long, in rows along x.
+struct GaborBoards {
+    vec3 joint;   // colour of the joints
+    float width;  // width of the boards along x, in units, 0.05 to 10
+    float reach;  // length of the boards along y, in units, 0.05 to 20
+    float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
+    float turns;  // share of the boards that are turned by a quarter turn, 0 to 1
+    float shades; // how much darker the darkest boards are than the material, 0 to 1
+    float gap;    // width of the joints, in units, 0 to 0.2
+    float depth;  // depth of the joints, in units, 0 to 0.2
+};
+
+// The board at a point.
+struct GaborBoard {
+    vec2 p;     // where to evaluate its material
+    vec2 dx;    // the pixel there, for a filtered material
+    vec2 dy;
+    uint seed;  // the board's own seed for its material
+    vec2 turn;  // cosine and sine of its turn
+    float tone; // factor for its colours
+    vec3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
+};
+
+// GaborBoards gabor_boards_default()
+//     Planks of half by three units.
+
+// GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed)
+//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter. If `period` is not vec2(0.0),
+//     the boards repeat after it: it holds a whole number of boards. Give the material itself no period.
+
+// GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
+//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
+//     the slopes of joints, which are too few and too steep to widen a highlight.
+
+// ---- One material over another -------------------------------------------------------------------------------------
+
+// GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
+//     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
+
+// GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
+//     The lower of two materials: a coat that is worn off where it stands out of the core.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+GaborBoards gabor_boards_default() {
+    return GaborBoards(vec3(0.03, 0.02, 0.014), 0.5, 3.0, 0.38, 0.0, 0.3, 0.012, 0.012);
+}
+
+// A joint `gap` wide at distance x, of whose edges the standard deviation is 1 / scale: its share and the derivative
+// along x.
+vec2 gabor_impl_joint(float x, float gap, float scale) {
+    vec2 t = clamp(scale * vec2(x + 0.5 * gap, x - 0.5 * gap), -10.0, 10.0), density = exp(-0.5 * t * t);
+    return vec2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228 * scale * (density.x - density.y));
+}
+
+// The joints on both sides of a board of this size, at x from its middle, averaged over a pixel of variance `wide`.
+vec2 gabor_impl_joints(float x, float size, float gap, float wide) {
+    if (gap <= 0.0) return vec2(0.0);
+    gap = min(gap, size);
+    // Beyond 0.4 of a board, more joints than two are in reach, and their sum is nearly even.
+    float scale = inversesqrt(0.04 * gap * gap + min(wide, 0.16 * size * size));
+    return gabor_impl_joint(x - 0.5 * size, gap, scale) + gabor_impl_joint(x + 0.5 * size, gap, scale);
+}
+
+// Indices from 0 to count - 1; any indices if count is 0.
+vec2 gabor_impl_board_index(vec2 index, vec2 count) {
+    return count.x > 0.0 ? index - count * floor(index / count) : index;
+}
+
+GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed) {
+    vec2 size = vec2(boards.width, boards.reach), count = vec2(0.0);
+    if (period.x > 0.0) {
+        count = max(floor(period / size + 0.5), vec2(1.0));
+        size = period / count;
+    }
+    vec2 at = p / size, line = gabor_impl_board_index(floor(at), count);
+    at += size.x > size.y ? vec2(fract(boards.shift * line.y), 0.0) : vec2(0.0, fract(boards.shift * line.x));
+    vec2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
+    uint salt = gabor_impl_salt(seed);
+    uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
+    uint random = gabor_lobe_seed(word, 1);
+    vec2 turn = float(random & 65535u) < 65536.0 * boards.turns ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+    vec2 back = vec2(turn.x, -turn.y);
+
+    vec2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
+    vec2 boards_wide = min(wide / (size * size), 4.0);
+    float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
+    vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
+    vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    vec2 free = 1.0 - vec2(across.x, along.x); // of a joint along each axis
+    return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
+                      gabor_lobe_seed(word, 0), turn,
+                      1.0 - boards.shades * (0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5)),
+                      vec3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
+}
+
+GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {
+    float joint = board.joint.x, free = 1.0 - joint;
+    vec2 back = vec2(board.turn.x, -board.turn.y);
+    return GaborMaterial(mix(board.tone * material.colour, boards.joint, joint),
+                         free * material.height - joint * boards.depth,
+                         free * gabor_impl_product(material.slope, board.turn)
+                             - (material.height + boards.depth) * board.joint.yz,
+                         mix(material.roughness, max(material.roughness, 0.8), joint), free * material.metalness,
+                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx));
+}
+
+// A share of one material and the rest of another, with this height.
+GaborMaterial gabor_impl_shared(GaborMaterial rest, GaborMaterial part, float share, float height) {
+    return GaborMaterial(mix(rest.colour, part.colour, share), height, mix(rest.slope, part.slope, share),
+                         mix(rest.roughness, part.roughness, share), mix(rest.metalness, part.metalness, share),
+                         mix(rest.lost, part.lost, share));
+}
+
+// A smooth maximum whose derivatives are the shares: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
+GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness) {
+    float d = (above.height - below.height) / max(softness, 1.0e-6), edge = max(1.0 - abs(d), 0.0);
+    return gabor_impl_shared(below, above, clamp(0.5 + 0.5 * d, 0.0, 1.0),
+                             max(below.height, above.height) + 0.25 * softness * edge * edge);
+}
+
+GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
+    float d = (coat.height - core.height) / max(softness, 1.0e-6), edge = max(1.0 - abs(d), 0.0);
+    return gabor_impl_shared(coat, core, clamp(0.5 + 0.5 * d, 0.0, 1.0),
+                             min(coat.height, core.height) - 0.25 * softness * edge * edge);
+}
+
+#endif // GABOR_COMPOSE_GLSL

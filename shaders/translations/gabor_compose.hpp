@@ -1,0 +1,166 @@
+// clang-format off
+// Generated from gabor_compose.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+//
+// gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
+//
+// Paste or include this file after gabor_materials.hpp.
+//
+//     GaborBoards planks = gabor_boards_default();
+//     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
+//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     m = gabor_laid(m, board, planks);
+//     GaborMaterial dusty = gabor_covered(m, gabor_sand(p, 8u), 0.02);                 // sand where it lies above m
+//     GaborMaterial rubbed = gabor_worn(m, gabor_brushed_metal(p, 8u), 0.01);          // metal where m stands out
+//
+//     I want                                 call
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
+//     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
+//     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
+//     no two objects alike                   another seed for each
+//
+// The slope of the result remains the derivative of its height. A board costs as much as four hashes, the others
+// nothing to speak of. For filtered materials, `softness` should not be less than the heights differ within a pixel.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
+
+#ifndef GABOR_MATERIALS_HPP
+#error Include gabor_noise.hpp, gabor_spectrum.hpp and gabor_materials.hpp before gabor_compose.hpp
+#endif
+#ifndef GABOR_COMPOSE_HPP
+#define GABOR_COMPOSE_HPP
+
+// ---- Boards --------------------------------------------------------------------------------------------------------
+
+// Boards in columns along y or, if they are wider than long, in rows along x.
+struct GaborBoards {
+    gabor_vec3 joint;   // colour of the joints
+    float width;  // width of the boards along x, in units, 0.05 to 10
+    float reach;  // length of the boards along y, in units, 0.05 to 20
+    float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
+    float turns;  // share of the boards that are turned by a quarter turn, 0 to 1
+    float shades; // how much darker the darkest boards are than the material, 0 to 1
+    float gap;    // width of the joints, in units, 0 to 0.2
+    float depth;  // depth of the joints, in units, 0 to 0.2
+};
+
+// The board at a point.
+struct GaborBoard {
+    gabor_vec2 p;     // where to evaluate its material
+    gabor_vec2 dx;    // the pixel there, for a filtered material
+    gabor_vec2 dy;
+    std::uint32_t seed;  // the board's own seed for its material
+    gabor_vec2 turn;  // cosine and sine of its turn
+    float tone; // factor for its colours
+    gabor_vec3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
+};
+
+// GaborBoards gabor_boards_default()
+//     Planks of half by three units.
+
+// GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed)
+//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter. If `period` is not vec2(0.0),
+//     the boards repeat after it: it holds a whole number of boards. Give the material itself no period.
+
+// GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
+//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
+//     the slopes of joints, which are too few and too steep to widen a highlight.
+
+// ---- One material over another -------------------------------------------------------------------------------------
+
+// GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
+//     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
+
+// GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
+//     The lower of two materials: a coat that is worn off where it stands out of the core.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+GABOR_INLINE GaborBoards gabor_boards_default() {
+    return GaborBoards{gabor_vec3(0.03f, 0.02f, 0.014f), 0.5f, 3.0f, 0.38f, 0.0f, 0.3f, 0.012f, 0.012f};
+}
+
+// A joint `gap` wide at distance x, of whose edges the standard deviation is 1 / scale: its share and the derivative
+// along x.
+GABOR_INLINE gabor_vec2 gabor_impl_joint(float x, float gap, float scale) {
+    gabor_vec2 t = gabor_cpp_clamp(scale * gabor_vec2(x + 0.5f * gap, x - 0.5f * gap), -10.0f, 10.0f), density = gabor_cpp_exp(-0.5f * t * t);
+    return gabor_vec2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228f * scale * (density.x - density.y));
+}
+
+// The joints on both sides of a board of this size, at x from its middle, averaged over a pixel of variance `wide`.
+GABOR_INLINE gabor_vec2 gabor_impl_joints(float x, float size, float gap, float wide) {
+    if (gap <= 0.0f) return gabor_vec2(0.0f);
+    gap = gabor_cpp_min(gap, size);
+    // Beyond 0.4 of a board, more joints than two are in reach, and their sum is nearly even.
+    float scale = gabor_cpp_inversesqrt(0.04f * gap * gap + gabor_cpp_min(wide, 0.16f * size * size));
+    return gabor_impl_joint(x - 0.5f * size, gap, scale) + gabor_impl_joint(x + 0.5f * size, gap, scale);
+}
+
+// Indices from 0 to count - 1; any indices if count is 0.
+GABOR_INLINE gabor_vec2 gabor_impl_board_index(gabor_vec2 index, gabor_vec2 count) {
+    return count.x > 0.0f ? index - count * gabor_cpp_floor(index / count) : index;
+}
+
+GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBoards boards, std::uint32_t seed) {
+    gabor_vec2 size = gabor_vec2(boards.width, boards.reach), count = gabor_vec2(0.0f);
+    if (period.x > 0.0f) {
+        count = gabor_cpp_max(gabor_cpp_floor(period / size + 0.5f), gabor_vec2(1.0f));
+        size = period / count;
+    }
+    gabor_vec2 at = p / size, line_ = gabor_impl_board_index(gabor_cpp_floor(at), count);
+    at += size.x > size.y ? gabor_vec2(gabor_cpp_fract(boards.shift * line_.y), 0.0f) : gabor_vec2(0.0f, gabor_cpp_fract(boards.shift * line_.x));
+    gabor_vec2 cell = gabor_cpp_floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5f) * size;
+    std::uint32_t salt = gabor_impl_salt(seed);
+    std::uint32_t word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
+    std::uint32_t random = gabor_lobe_seed(word, 1);
+    gabor_vec2 turn = float(random & 65535u) < 65536.0f * boards.turns ? gabor_vec2(0.0f, 1.0f) : gabor_vec2(1.0f, 0.0f);
+    gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
+
+    gabor_vec2 wide = 0.25f * (dx * dx + dy * dy); // the variance of the pixel along x and y
+    gabor_vec2 boards_wide = gabor_cpp_min(wide / (size * size), 4.0f);
+    float mean = gabor_cpp_exp(-19.739209f * gabor_cpp_max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
+    gabor_vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
+    gabor_vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    gabor_vec2 free = 1.0f - gabor_vec2(across.x, along.x); // of a joint along each axis
+    return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
+                      gabor_lobe_seed(word, 0), turn,
+                      1.0f - boards.shades * (0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f)),
+                      gabor_vec3(1.0f - free.x * free.y, free.y * across.y, free.x * along.y)};
+}
+
+GABOR_INLINE GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {
+    float joint = board.joint.x, free = 1.0f - joint;
+    gabor_vec2 back = gabor_vec2(board.turn.x, -board.turn.y);
+    return GaborMaterial{gabor_cpp_mix(board.tone * material.colour, boards.joint, joint),
+                         free * material.height - joint * boards.depth,
+                         free * gabor_impl_product(material.slope, board.turn)
+                             - (material.height + boards.depth) * board.joint.yz(),
+                         gabor_cpp_mix(material.roughness, gabor_cpp_max(material.roughness, 0.8f), joint), free * material.metalness,
+                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx())};
+}
+
+// A share of one material and the rest of another, with this height.
+GABOR_INLINE GaborMaterial gabor_impl_shared(GaborMaterial rest, GaborMaterial part, float share, float height) {
+    return GaborMaterial{gabor_cpp_mix(rest.colour, part.colour, share), height, gabor_cpp_mix(rest.slope, part.slope, share),
+                         gabor_cpp_mix(rest.roughness, part.roughness, share), gabor_cpp_mix(rest.metalness, part.metalness, share),
+                         gabor_cpp_mix(rest.lost, part.lost, share)};
+}
+
+// A smooth maximum whose derivatives are the shares: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
+GABOR_INLINE GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness) {
+    float d = (above.height - below.height) / gabor_cpp_max(softness, 1.0e-6f), edge = gabor_cpp_max(1.0f - gabor_cpp_abs(d), 0.0f);
+    return gabor_impl_shared(below, above, gabor_cpp_clamp(0.5f + 0.5f * d, 0.0f, 1.0f),
+                             gabor_cpp_max(below.height, above.height) + 0.25f * softness * edge * edge);
+}
+
+GABOR_INLINE GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
+    float d = (coat.height - core.height) / gabor_cpp_max(softness, 1.0e-6f), edge = gabor_cpp_max(1.0f - gabor_cpp_abs(d), 0.0f);
+    return gabor_impl_shared(coat, core, gabor_cpp_clamp(0.5f + 0.5f * d, 0.0f, 1.0f),
+                             gabor_cpp_min(coat.height, core.height) - 0.25f * softness * edge * edge);
+}
+
+#endif // GABOR_COMPOSE_HPP
