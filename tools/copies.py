@@ -66,11 +66,22 @@ def materials(tree):
     return '{"controls": [\n%s],\n"presets": {\n%s}}\n' % lines
 
 
-def made(shader):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
+# The files of the page's sea, which has more waves than the translation.
+SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
+SEA_MACROS = "GABOR_OCEAN_BANDS=12",
+
+
+def made(shader, in_wgsl):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, after the files it needs or others, and
+    `in_wgsl` its translation, given the existing one."""
     trees = {path.stem: shader(path) for path in DROP_INS}
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(trees["gabor_materials"], trees["gabor_erosion"])
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"])}
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())
+    page = DEMO.read_text()
+    existing = {match[2]: match[0].removeprefix(match[1]).removesuffix(match[3]) for match in IN_PAGE.finditer(page)}
+    for i, path in enumerate(SEA):
+        name = path.stem + ".wgsl"
+        texts[name] = in_wgsl(shader(path, (ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i])), path.stem, SEA_MACROS, existing[name]) or ""
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], page)

@@ -90,7 +90,7 @@ async function inWgsl(text) {
     const pipeline = device.createRenderPipeline({ layout: "auto", vertex: { module }, fragment: { module, targets: [{ format }] } });
     const failure = await device.popErrorScope();
     if (failure)
-        throw new Error(`${state.tab}: ${failure.message}`);
+        throw new Error(`${state.tab}: ${(await module.getCompilationInfo()).messages.map(each => each.message)} ${failure.message}`);
     const target = device.createTexture({ size: [SIDE, SIDE], format, usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
     const buffer = device.createBuffer({ size: 16 * SIDE * SIDE, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
     const entries = [];
