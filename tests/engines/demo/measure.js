@@ -5,7 +5,8 @@ const SIDE = 64, WIDTH = 160, HEIGHT = 90, TIME = 1.5; // TIME is in seconds
 // Values of each kind of function at p.
 const VALUES = {
     pattern: "pattern(p)", sea: "sea_in_pixel(4.0 * p, 0.01)",
-    material: "VEC3(m.colour.g + m.metalness, m.slope.x + m.slope.y, m.height + m.roughness)", terrain: "VEC3(m.height + m.ridge, m.slope)",
+    material: "vec3(m.colour.g + m.metalness, m.slope.x + m.slope.y, m.height + m.roughness)",
+    terrain: "vec3(m.height + m.ridge, m.slope)",
 };
 const STEP = 6 / 1024; // of the land's map, on a small screen
 const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
@@ -51,14 +52,14 @@ async function drawn() {
 function compare(what, made, wanted, tolerance) {
     const far = made.reduce((sum, value, i) => sum + !(Math.abs(value - wanted[i]) <= tolerance), 0) / wanted.length;
     if (made.length !== wanted.length || !(far < 0.003))
-        throw new Error(`${what}: ${(100 * far).toFixed(2)} % of the values differ, such as ${made.slice(0, 4)} from ${wanted.slice(0, 4)}`);
+        throw new Error(`${what}: ${(100 * far).toFixed(2)} % of the values differ: ${made.slice(0, 4)} from ${wanted.slice(0, 4)}`);
     if (!(Math.max(...wanted) - Math.min(...wanted) > 0.01))
         throw new Error(`${what}: all values are ${wanted[0]}`);
 }
 
 // ---- Each language's values at points that are 1 / 16 kernel radii apart, or texels of the land's map apart ----
 const place = pixel => kind() === "terrain" ? `${STEP.toFixed(9)} * ${pixel}` : `0.0625 * ${pixel}`;
-const called = (variable, vec) => `${VALUES[kind()].includes("m.") ? `${variable} m = ${kind()}(p); ` : ""}return ${vec}4(${VALUES[kind()].replace("VEC", vec)}, 1.0);`;
+const called = type => (VALUES[kind()].includes("m.") ? `${type} m = ${kind()}(p); ` : "") + `return vec4(${VALUES[kind()]}, 1.0);`;
 
 const own = document.createElement("canvas").getContext("webgl2");
 own.getExtension("EXT_color_buffer_float");
@@ -71,7 +72,7 @@ function inGlsl(text) {
     own.bindTexture(own.TEXTURE_2D, painting);
     draw(own, `${text}
 #define mainImage(color, pixel) color = value_at(pixel)
-vec4 value_at(vec2 pixel) { vec2 p = ${place("pixel")}; ${called(kind() === "material" ? "GaborMaterial" : "GaborTerrain", "vec")} }`.replace("uniform float iTime; // seconds\n", ""),
+vec4 value_at(vec2 pixel) { vec2 p = ${place("pixel")}; ${called(kind() === "material" ? "GaborMaterial" : "GaborTerrain")} }`.replace("uniform float iTime; // seconds\n", ""),
          SIDE, SIDE, TIME);
     own.readPixels(0, 0, SIDE, SIDE, own.RGBA, own.FLOAT, pixels);
     own.bindFramebuffer(own.FRAMEBUFFER, null);
@@ -84,7 +85,10 @@ async function inWgsl(text) {
 @vertex fn cover(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return vec4f(f32(index & 1) * 4.0 - 1.0, f32(index & 2) * 2.0 - 1.0, 0.0, 1.0);
 }
-@fragment fn value_at(@builtin(position) pixel: vec4f) -> @location(0) vec4f { let p = ${place("pixel.xy")}; ${called("let", "vec")} }` });
+@fragment fn value_at(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
+    let p = ${place("pixel.xy")};
+    ${called("let")}
+}` });
     const format = "rgba32float";
     device.pushErrorScope("validation");
     const pipeline = device.createRenderPipeline({ layout: "auto", vertex: { module }, fragment: { module, targets: [{ format }] } });
@@ -136,9 +140,9 @@ async function asNodes(text) {
 
 // ---- Tabs ----
 
-// Settings off the defaults.
-const moved_ = tab => Object.fromEntries(TABS[tab].controls.filter(each => !each.options && !each.check).map(each =>
-    [each.name, each.colour ? "#3b7ea1" : +(each.min + 0.37 * (each.max - each.min)).toFixed(each.step < 1 ? 4 : 0)]));
+// Sliders and colours off their defaults, and options at them.
+const settingsOf = tab => Object.fromEntries(TABS[tab].controls.map(each => [each.name, each.options || each.check ? each.value
+    : each.colour ? "#3b7ea1" : +(each.min + 0.37 * (each.max - each.min)).toFixed(each.step < 1 ? 4 : 0)]));
 const OPTIONS = {
     erosion: [{ octaves: 3 }],
     sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }],
@@ -184,17 +188,17 @@ async function dropPicture() {
 
 async function checkTab(name, settings) {
     const what = `${name} with ${JSON.stringify(settings)}`;
-    open(name, { ...moved_(name), x: 0.3, y: -0.2, zoom: 1.3, yaw: 0.8, pitch: 0.2, ...settings });
+    open(name, { ...settingsOf(name), x: 0.3, y: -0.2, zoom: 1.3, yaw: 0.8, pitch: 0.2, ...settings });
     const shown = await drawn(), offered = languages();
     const glsl = inGlsl(textIn("GLSL"));
     if (tab().terrain) {
-        const map = new Float32Array(4 * SIDE * SIDE);
+        const map = new Float32Array(4 * SIDE * SIDE), code = textIn("GLSL").slice(dropIns().length);
         gl.bindFramebuffer(gl.FRAMEBUFFER, land.frame);
         gl.readPixels(0, 0, SIDE, SIDE, gl.RGBA, gl.FLOAT, map);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         for (let i = 0; i < map.length; i += 4)
             map.set([map[i] + map[i + 3], map[i + 1], map[i + 2], 1], i);
-        compare(`${what}, GLSL`, inGlsl(embedded("gabor_noise.glsl") + embedded("gabor_erosion.glsl") + repeated(textIn("GLSL").slice(dropIns().length))), map, 2e-3);
+        compare(`${what}, GLSL`, inGlsl(dropIns() + repeated(code)), map, 2e-3);
     }
     const constants = Object.entries(mainValues()).map(constant).join("");
     const picture = offered.includes("Shadertoy") ? textIn("Shadertoy") : textIn("GLSL") + constants + MAIN[kind()];
@@ -216,8 +220,10 @@ globalThis.drawn = (async () => {
     device = await (await navigator.gpu?.requestAdapter())?.requestDevice() ?? null;
     if (!device && navigator.userAgent.includes("Chrome"))
         throw new Error("there is no WebGPU");
-    const size = { innerWidth, innerHeight };
-    Object.defineProperties(globalThis, { innerWidth: { value: WIDTH, configurable: true }, innerHeight: { value: HEIGHT, configurable: true } });
+    const size = [innerWidth, innerHeight];
+    const resize = (width, height) => Object.defineProperties(globalThis, {
+        innerWidth: { value: width, configurable: true }, innerHeight: { value: height, configurable: true } });
+    resize(WIDTH, HEIGHT);
     await dropPicture();
     await saveMap();
     for (const name of Object.keys(TABS))
@@ -227,7 +233,7 @@ globalThis.drawn = (async () => {
     open("sea", { moving: true });
     if (!textIn("Shadertoy").includes("int(iTime)"))
         throw new Error("sea: copied waves do not move");
-    Object.defineProperties(globalThis, Object.fromEntries(Object.entries(size).map(([name, value]) => [name, { value, configurable: true }])));
+    resize(...size);
     open("noise", { look: "plain", frequency: 4, orientation: 45, seed: 7, taps: 3 });
     const text = textIn("Shadertoy") // with the pixels of the reference: p = pixel / 32, y upwards
         .replace(/vec2 p = vec2\(x, y\).*;/, "vec2 p = pixel / 32.0;");
