@@ -479,6 +479,17 @@ class Benchmark(Package):
             if name != "yardsticks.wgsl":
                 self.assertEqual(shader, (ROOT / folder / name).read_text(), name)
         self.assertEqual(*(set(re.findall(r"(?m)^(?:fn|float) (\w+_noise)\(", shaders[f"yardsticks.{ending}"])) for ending in ("glsl", "wgsl")))
+        subjects = re.findall(r'(?m)^    \["(.*?)", \[(.*?)\], "(.*?)"(?:, (\d))?\],$', text)
+        self.assertGreater(len(subjects), 10)
+        for name, files, call, taps in subjects:
+            code = "".join(shaders[f"{file}.glsl"] for file in re.findall(r"\w+", files))
+            run("glslangValidator", "--stdin", "-S", "frag", input=f"""#version 300 es
+{f"#define GABOR_TAPS {taps}" if taps else ""}
+precision highp float;
+uniform uint seed;
+uniform float frequency, orientation;
+out vec4 result;
+{code}void main() {{ vec2 p = gl_FragCoord.xy; result = vec4({call}); }}""")
 
 
 class Repository(unittest.TestCase):
