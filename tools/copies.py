@@ -1,6 +1,7 @@
 """Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
 tools/translate calls this module."""
 
+import json
 import math
 import pathlib
 import re
@@ -9,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
 # The page that contains shaders: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
-IN_PAGE = re.compile(r'(<script type="text/plain" id="(\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
+IN_PAGE = re.compile(r'(<script type="text/plain" id="([\w.]+)">\n)(?:.*\n)*?(</script>\n)')
 
 
 def needed(path):
@@ -20,10 +21,9 @@ def needed(path):
     return list(dict.fromkeys(each for other in others for each in [*needed(other), other]))
 
 
-def struct_rows(*trees):
-    """Returns the program's table of the parameters of materials, boards and erosion: the members of the structs, with the defaults that
-    their functions return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
-    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
+def parameters(*trees):
+    """Yields the parameters of materials, boards and erosion: the members of the structs, with the defaults that their functions
+    return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
         if function.parameters or not function.name.text.endswith(("_default", "_erosion")):
@@ -34,8 +34,8 @@ def struct_rows(*trees):
             comment = next(comment.text for comment in tree.comments if comment.line == field.line).removeprefix("// ")
             about, low, high, radians, usual_low, usual_high = re.fullmatch(
                 r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)( radians)?)?(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
-            row = {"vec3": "colour", "int": "integer", "float": "angle" if radians else "number"}[field.type]
-            bounds = [0, 1] if row == "colour" else [float(low), float(high)]
+            kind = {"vec3": "colour", "int": "integer", "float": "angle" if radians else "number"}[field.type]
+            bounds = [0, 1] if kind == "colour" else [float(low), float(high)]
             if radians:
                 bounds, numbers = [round(math.degrees(bound)) for bound in bounds], [round(math.degrees(numbers[0]), 2)]
             usual = [usual_low, usual_high] if usual_low else [-180, 180] if radians and bounds[0] < 0 else bounds
@@ -43,15 +43,51 @@ def struct_rows(*trees):
             about = (about or member).replace("unit of p", "kernel radius")
             about = f"{member} {about}" if about.startswith("of ") else about
             option = f"{name.replace('_', '-')}.{member}" if made else {"frequency": "gully_frequency"}.get(member, member)
-            braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in (bounds, usual, numbers))
-            lines.append(f'{{"{option}", Kind::{row}, {", ".join(braced)}, "{about[0].upper() + about[1:]}"}},')
+            yield option, kind, bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
+
+
+def struct_rows(*trees):
+    """Returns the program's table of the parameters."""
+    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
+    for option, kind, *numbers, about in parameters(*trees):
+        braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in numbers)
+        lines.append(f'{{"{option}", Kind::{kind}, {", ".join(braced)}, "{about}"}},')
     return "\n".join(lines) + "\n"
 
 
-def made(shader):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
+def materials(tree):
+    """Returns the page's JSON: the controls of materials, and the program's presets that are materials."""
+    controls = [{"name": option, "kind": kind, "min": usual[0], "max": usual[1], "value": numbers if kind == "colour" else numbers[0],
+                 "about": about} for option, kind, _, usual, numbers, about in parameters(tree)]
+    presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "presets").glob("*.json"))}
+    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|.*\.", key)}
+               for name, preset in presets.items() if "material" in preset and "boards" not in preset}
+    lines = (",\n".join(map(json.dumps, controls)), ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets))
+    return '{"controls": [\n%s],\n"presets": {\n%s}}\n' % lines
+
+
+def dense(wgsl):
+    """Returns a translation with each function of naga's on one line."""
+    return re.sub(r"(?ms)^(?:fn|struct) .*?^}", lambda match: re.sub(r"\s+", " ", match[0]), wgsl)
+
+
+# The files of the page's sea, which has more waves than the translation.
+SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
+SEA_MACROS = "GABOR_OCEAN_BANDS=12",
+
+
+def made(shader, in_wgsl):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, after the files it needs or others, and
+    `in_wgsl` its translation, given the existing one."""
     trees = {path.stem: shader(path) for path in DROP_INS}
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
-    texts = {name: tree.text for name, tree in trees.items()}
-    texts |= {path.stem: path.read_text() for path in (ROOT / "shaders" / "passes").glob("*.glsl")}
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())
+    sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
+               *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
+    texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"])}
+    page = DEMO.read_text()
+    existing = {match[2]: match[0].removeprefix(match[1]).removesuffix(match[3]) for match in IN_PAGE.finditer(page)}
+    for i, path in enumerate(SEA):
+        name = path.stem + ".wgsl"
+        texts[name] = in_wgsl(shader(path, (ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i])), path.stem, SEA_MACROS, existing[name]) or ""
+    texts |= {name: dense(text) for name, text in texts.items() if name.endswith(".wgsl")}
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], page)

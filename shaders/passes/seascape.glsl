@@ -63,7 +63,7 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     float facing = max(dot(normal, -ray), 0.03), spread = sqrt(0.5 * (w.lost.x + w.lost.y));
     float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * spread)) / (1.0 + 22.7 * pow(spread, 1.5));
-    vec3 mirror = reflect(ray, normal);
+    vec3 mirror = ray - 2.0 * dot(normal, ray) * normal;
     mirror.y = abs(mirror.y) + spread; // rough water reflects higher parts of the sky
     vec3 sky = sky_of(vec3(sea.sun.x, sea.sun.y + 0.2, sea.sun.z) * 0.9, normalize(mirror));
     vec3 middle = normalize(sea.sun - ray); // facets with this normal reflect the sun

@@ -479,6 +479,17 @@ class Benchmark(Package):
             if name != "yardsticks.wgsl":
                 self.assertEqual(shader, (ROOT / folder / name).read_text(), name)
         self.assertEqual(*(set(re.findall(r"(?m)^(?:fn|float) (\w+_noise)\(", shaders[f"yardsticks.{ending}"])) for ending in ("glsl", "wgsl")))
+        subjects = re.findall(r'(?m)^    \["(.*?)", \[(.*?)\], "(.*?)"(?:, (\d))?\],$', text)
+        self.assertGreater(len(subjects), 10)
+        for name, files, call, taps in subjects:
+            code = "".join(shaders[f"{file}.glsl"] for file in re.findall(r"\w+", files))
+            run("glslangValidator", "--stdin", "-S", "frag", input=f"""#version 300 es
+{f"#define GABOR_TAPS {taps}" if taps else ""}
+precision highp float;
+uniform uint seed;
+uniform float frequency, orientation;
+out vec4 result;
+{code}void main() {{ vec2 p = gl_FragCoord.xy; result = vec4({call}); }}""")
 
 
 class Repository(unittest.TestCase):
@@ -505,8 +516,8 @@ class Release(Folder):
     def setUp(self):
         super().setUp()
         repository(self.folder, filter(re.compile(
-            "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-            "host/lab/passes/bench/|host/render/struct_rows)").match, tracked(ROOT)))
+            "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|README.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
+            "host/lab/passes/bench/|host/render/struct_rows|host/render/presets/)").match, tracked(ROOT)))
 
     def release(self, *arguments):
         return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)
@@ -525,6 +536,14 @@ class Release(Folder):
         citation.write_text(re.sub("(?m)^version: .*", "version: 0.1.0", citation.read_text()))
         self.assert_refused("CITATION.cff names another version")
         self.assert_refused("three numbers such as", "--set", "two")
+
+    def test_sets_the_address_of_the_page(self):
+        self.assert_refused("expected one such as https", "--page", "somewhere")
+        for address in ("https://example.org/gabor/", "https://example.org/other/"):
+            made = self.release("--page", address)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertIn(f"[Live page]({address})", (self.folder / "README.md").read_text())
+            self.assertIn(f'content="{address}card.jpg"', (self.folder / "docs/demo/index.html").read_text())
 
     def test_sets_the_version_everywhere(self):
         if not shutil.which("naga"):

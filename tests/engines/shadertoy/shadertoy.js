@@ -18,7 +18,7 @@ void main() {
     shadertoy_out_color = vec4(color.xyz, 1.0);
 }`;
 
-function draw(gl, text, width, height) {
+function draw(gl, text, width, height, time = 0) {
     const program = gl.createProgram();
     for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, BEFORE + text + AFTER]]) {
         const shader = gl.createShader(type);
@@ -31,6 +31,7 @@ function draw(gl, text, width, height) {
     gl.linkProgram(program);
     gl.useProgram(program);
     gl.uniform3f(gl.getUniformLocation(program, "iResolution"), width, height, 1);
+    gl.uniform1f(gl.getUniformLocation(program, "iTime"), time);
     gl.viewport(0, 0, width, height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
