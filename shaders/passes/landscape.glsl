@@ -42,8 +42,8 @@ vec3 ground_layers(float height, float ridge, float steep) {
 // The share of pale layers in rock whose layers are level, for a pixel that spans the height `span`.
 float pale_layers(float height, float span) {
     vec2 turns = vec2(5.3, 13.7) * height, kept = exp(-4.9348022 * span * span * vec2(5.3, 13.7) * vec2(5.3, 13.7));
-    vec2 wave = kept * sin(6.2831853 * (turns + 0.15 * sin(6.2831853 * 0.37 * turns.yx)));
-    return 0.5 + 0.3 * wave.x + 0.2 * wave.y;
+    vec2 wave = sin(6.2831853 * (turns + 0.15 * sin(6.2831853 * 0.37 * turns.yx)));
+    return 0.5 + dot(vec2(0.6, 0.4) * kept, smoothstep(-0.5, 0.5, wave) - 0.5);
 }
 
 vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
