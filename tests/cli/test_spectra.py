@@ -49,7 +49,7 @@ class Spectra(SpectraTest):
     def test_presets(self):
         listed = re.search(r"other options from a preset: (.*?), or a file", self.succeed("render", "--help"), re.DOTALL)[1]
         self.assertGreaterEqual(len(listed.split(",")), 41)
-        exr = self.render(preset="figure6", size="96x64")
+        exr = self.render(preset="zebra", size="96x64")
         self.assertTrue(np.isfinite(exr.pixels).all())
         self.assertGreater(exr.pixels.std(), 0.3)
 
@@ -122,7 +122,7 @@ class Spectra(SpectraTest):
             (["recipe 'latice-4': expected lattice-4, "], ["--recipe=latice-4"]),
             (["--frequency requires a single lobe, not wood"], ["--material=wood", "--frequency=3"]),
             (["--gradient requires noise, not wood"], ["--material=wood", "--gradient"]),
-            (["lobes conflicts with wood: it requires noise"], ["--preset=figure6", "--material=wood"]),
+            (["lobes conflicts with wood: it requires noise"], ["--lobes", good, "--material=wood"]),
             (["only planes and bodies have materials"], ["--material=wood", "--view=slice"]),
         ]:
             self.assert_refused(words, "render", "-o", "out.exr", "--size=64x64", *arguments)
@@ -246,7 +246,7 @@ class Channels(SpectraTest):
 
     def test_headers_name_the_recipe_used_if_any(self):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
-                                ("one", ["--orientation-spread=90"]), ("paper", ["--preset=figure6"])):
+                                ("one", ["--orientation-spread=90"]), ("paper", ["--lobes", self.write_lobes(LOBES)])):
             self.assertEqual(self.render(*options, size="64x64", recipe=recipe).parameters["recipe"], recipe)
         for options in (["--view=slice"], ["--view=sphere"], ["--view=terrain"], ["--material=wood"]):
             self.assertNotIn("recipe", self.render(*options, size="64x64").parameters)
