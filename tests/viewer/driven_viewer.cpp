@@ -125,7 +125,7 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
         open_file(session, rest);
     } else if (name == "save") {
         session.document().path = rest;
-        save_preset(session);
+        write_preset(session);
     } else if (name == "copy") {
         std::ofstream(rest) << ImGui::GetClipboardText();
     } else if (name == "export") {
