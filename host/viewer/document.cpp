@@ -70,6 +70,8 @@ void resize(Document& document, double factor) {
             const double number = factor * std::get<double>(*value);
             set_parameter(resized, name, name == "scale" ? number : std::round(number));
         }
+    resized.camera = document.camera;
+    resized.camera.zoom /= factor;
     document = resized;
 }
 

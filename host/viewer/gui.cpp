@@ -330,12 +330,12 @@ void Gui::take_press() {
     set_modifiers(down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL),
                   down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT));
     // A field takes all text up to the next key that edits or leaves it, without a frame for each key. The
-    // key before, or a click, may have moved to another field, which is ready one frame later.
+    // last key or click may have moved to another field or closed this one, which takes two frames to show.
     const auto is_text = [&] {
         return !presses.empty() && presses.front().character && (io.WantTextInput || presses.front().key < 0);
     };
     if (is_text()) {
-        if (ImGui::GetFrameCount() > taken_in_ + 1)
+        if (ImGui::GetFrameCount() > taken_in_ + 2)
             for (; is_text(); presses.pop_front())
                 io.AddInputCharacter(presses.front().character);
         return;

@@ -156,8 +156,8 @@ void path_field(const char* label, std::string& path, std::string shown) {
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 from{corner.x + pad.x, corner.y + pad.y};
-    const ImVec2 to{corner.x + ImGui::CalcItemWidth() - pad.x, from.y + ImGui::GetFontSize()};
-    const float hidden = ImGui::CalcTextSize(shown.c_str()).x - (to.x - from.x);
+    const ImVec2 to{corner.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFontSize()};
+    const float hidden = ImGui::CalcTextSize(shown.c_str()).x - (to.x - pad.x - from.x);
     if (hidden <= 0 || ImGui::IsItemActive())
         return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();

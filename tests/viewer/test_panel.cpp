@@ -10,6 +10,7 @@
 #include <imgui_internal.h>
 
 #include <regex>
+#include <set>
 #include <string>
 
 using namespace gabor;
@@ -59,7 +60,7 @@ std::string panel_text(const Document& document) {
 } // namespace
 
 TEST_CASE("the panel avoids jargon outside the laboratory") {
-    const std::regex jargon(R"(\b(recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
+    const std::regex jargon(R"(\b(scale|recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
     const auto check = [&](const std::string& mode, const Document& document) {
         INFO(mode);
         const std::string text = panel_text(document);
@@ -80,6 +81,23 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
             document.colours = 5;
             check(fmt::format("{}, {}", view, output_names.at(output)), document);
         }
+}
+
+TEST_CASE("the gallery shows each preset once") {
+    const NoWindow none;
+    Session session({}, "");
+    session.gallery = true;
+    Gallery gallery;
+    for (int frame = 0; frame < 3; ++frame) {
+        ImGui::NewFrame();
+        gallery = gallery_window(session, 1000, 4000);
+        ImGui::EndFrame();
+    }
+    std::set<std::size_t> shown;
+    for (const Gallery::Picture& picture : gallery.pictures)
+        shown.insert(picture.preset);
+    CHECK(gallery.pictures.size() == render::presets().size());
+    CHECK(shown.size() == render::presets().size());
 }
 
 TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles outside a slider's range are "
