@@ -299,8 +299,6 @@ void light_panel(Session& session) {
 
 void file_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    path_field("preset", session.document().path, session.document().path);
-    tooltip("The JSON file to save to; gabor render reads it too");
     const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Open...", {third, 0}))
         ask_for_file(session);
@@ -309,7 +307,8 @@ void file_panel(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
-    tooltip("Ctrl S: save to the same file; the first time, choose where");
+    tooltip(session.document().origin.empty() ? "Ctrl S: choose where to save"
+                                              : "Ctrl S: save to " + session.document().path);
     ImGui::SameLine();
     if (ImGui::Button("Save as...", {third, 0}))
         ask_where_to_save(session);

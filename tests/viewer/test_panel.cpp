@@ -60,7 +60,8 @@ std::string panel_text(const Document& document) {
 } // namespace
 
 TEST_CASE("the panel avoids jargon outside the laboratory") {
-    const std::regex jargon(R"(\b(scale|recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
+    const std::regex jargon(R"(\b(scale|recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)",
+                            std::regex::icase);
     const auto check = [&](const std::string& mode, const Document& document) {
         INFO(mode);
         const std::string text = panel_text(document);

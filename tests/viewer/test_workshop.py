@@ -29,7 +29,7 @@ class Workshop(EventsTest):
         self.click(900, y + 30 + 20 * kind)
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(756, y + 111) # the smallest number of frames
+            self.click(752, y + 111) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e")
         self.exported()
