@@ -140,3 +140,20 @@ TEST_CASE("the panel shows only what has an effect") {
         CHECK_FALSE(has(without, label));
     }
 }
+
+TEST_CASE("a picture of twice the size shows the same, and so does the window") {
+    Document document =
+        document_from_json(R"({"material": "wood", "width": 300, "height": 200, "scale": 50})");
+    document.camera = document.camera.moved(3, 4);
+    const Document before = document;
+    resize(document, 2);
+    CHECK(document.request.width == 600);
+    CHECK(document.request.height == 400);
+    CHECK(document.request.scale == 100);
+    CHECK(document.camera.x == before.camera.x);
+    CHECK(document.camera.zoom == before.camera.zoom / 2);
+    resize(document, 0.5);
+    CHECK(document == before);
+    CHECK_THROWS(resize(document, 1000));
+    CHECK(document == before);
+}
