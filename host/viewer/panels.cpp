@@ -30,8 +30,7 @@ namespace {
 std::string help_of(const render::Parameter& parameter) {
     if (parameter.name == "scale")
         return "Size of everything in the picture: the pixels of one unit, in which other controls count "
-               "threads, "
-               "rings or waves";
+               "threads, rings or waves";
     const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
@@ -307,8 +306,8 @@ void file_panel(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
-    tooltip(session.document().origin.empty() ? "Ctrl S: choose where to save"
-                                              : "Ctrl S: save to " + session.document().path);
+    tooltip(has_file(session.document()) ? "Ctrl S: save to " + session.document().path
+                                         : "Ctrl S: choose where to save");
     ImGui::SameLine();
     if (ImGui::Button("Save as...", {third, 0}))
         ask_where_to_save(session);

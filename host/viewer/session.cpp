@@ -31,11 +31,6 @@ std::filesystem::path json_path(std::filesystem::path path) {
     return extension == ".json" ? path : path += ".json";
 }
 
-// Whether the document was read from the file that it is saved to, or was saved to it.
-bool has_file(const Document& document) {
-    return document.origin == std::filesystem::absolute(json_path(document.path));
-}
-
 // Calls `write`, but asks first if that would overwrite a file that this session did not write. If the files
 // do not `belong` to the document, asks before overwriting any file.
 void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
@@ -193,6 +188,10 @@ void open_preset(Session& session, const std::string& path) {
             add_recent(session, path);
         notify(session, fmt::format("opened {}", path));
     });
+}
+
+bool has_file(const Document& document) {
+    return document.origin == std::filesystem::absolute(json_path(document.path));
 }
 
 void save_preset(Session& session) {

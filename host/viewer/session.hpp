@@ -89,6 +89,8 @@ void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
 /// Names the next export after the document, and scrolls the panel to its top.
 void reset_panel(Session& session);
+/// Whether the document was read from the file that it is saved to, or was saved to it.
+bool has_file(const Document& document);
 /// Saves the document to its file, or asks for a name if it has none.
 void save_preset(Session& session);
 /// Saves the document to its path, with the extension .json.
