@@ -38,8 +38,8 @@ class Workshop(EventsTest):
         self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the fourth in the first group, after three kinds of wood. Each picture has its name over its lower edge.
-        left, top = 14 + 3 * 136, 60
+        # Bark is the fifth in the first group, after four kinds of wood. Each picture has its name over its lower edge.
+        left, top = 14 + 4 * 136, 60
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
@@ -177,7 +177,7 @@ class Workshop(EventsTest):
             self.frames(2)
             self.assertEqual(self.state["popup"], opens)
         azimuth = self.document["light_azimuth"]
-        self.drag(782, 587, 880, 587) # its slider
+        self.drag(782, 615, 880, 615) # its slider
         self.assertFalse(self.state["popup"])
         self.assertGreater(self.document["light_azimuth"], azimuth + 30)
         self.close()
