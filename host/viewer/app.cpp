@@ -88,6 +88,8 @@ void App::restore(const Options& options) {
             Document last = document_from_json(settings_.document);
             render::load_paint(last.request.paint); // throws if the file is missing
             last.path = settings_.preset_path;
+            if (std::filesystem::exists(last.path))
+                last.origin = std::filesystem::absolute(last.path);
             session_.history = History(last);
             if (as_saved)
                 session_.saved = last;
@@ -250,13 +252,13 @@ void App::paint_presets(vk::CommandBuffer commands, int height) {
     const float side = std::round(gallery_.picture_side * per_unit);
     const float stride = side / PresetPictures::side;
     std::vector<PlacedColours> pieces;
-    for (const ImVec2& corner : gallery_.corners) {
-        const auto index = static_cast<int>(pieces.size());
+    for (const auto& [preset, corner] : gallery_.pictures) {
+        const auto index = static_cast<int>(preset);
         const float x = std::round(corner.x * per_unit);
         const float y = std::round(corner.y * per_unit);
         const auto left = static_cast<float>(index % PresetPictures::columns * cell + margin);
         const auto top = static_cast<float>(index / PresetPictures::columns * cell + margin);
-        const int first = std::max(static_cast<int>(y), 0);
+        const int first = static_cast<int>(std::max(y, gallery_.top * per_unit));
         const int end = std::min(static_cast<int>(y + side), height);
         pieces.push_back({{x - left * stride, y - top * stride},
                           {static_cast<int>(x), first, static_cast<int>(side), end - first}});

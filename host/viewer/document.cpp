@@ -63,6 +63,18 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
         document.camera = render::default_camera(document.request);
 }
 
+void resize(Document& document, double factor) {
+    Document resized = document;
+    for (const std::string_view name : {"width", "height", "scale"})
+        if (const auto value = render::parameter(name).get(document.request)) {
+            const double number = factor * std::get<double>(*value);
+            set_parameter(resized, name, name == "scale" ? number : std::round(number));
+        }
+    resized.camera = document.camera;
+    resized.camera.zoom /= factor;
+    document = resized;
+}
+
 render::Request with_output(render::Request request, Output output) {
     if (render::has_material(request))
         return request; // materials always have all channels

@@ -63,6 +63,8 @@ void reset_orbit(render::View& view);
 /// Sets a parameter and resets those that conflict with it. A new view starts with its default camera, and
 /// with the filter on if it is in perspective. Throws RequestError for a value that is not accepted.
 void set_parameter(Document& document, std::string_view name, const render::Value& value);
+/// Multiplies the picture's pixels along both sides, and keeps what it and the window show.
+void resize(Document& document, double factor);
 
 /// Adds the channels that an output needs.
 render::Request with_output(render::Request request, Output output);

@@ -48,15 +48,14 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     return maps;
 }
 
-// The absolute path, starting with ~ for files in the home folder.
+} // namespace
+
 std::string path_from_home(const std::filesystem::path& path) {
     const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
     const char* const home = std::getenv("HOME");
     return home && *home && whole.starts_with(std::string(home) + '/') ? "~" + whole.substr(std::strlen(home))
                                                                        : whole;
 }
-
-} // namespace
 
 bool can_export_maps(const render::Request& request) {
     return render::has_maps(render::from_above(request)) ||

@@ -27,6 +27,9 @@ inline FileStamp file_stamp(const std::filesystem::path& path) {
     return {std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored)};
 }
 
+/// The absolute path, starting with ~ for files in the home folder.
+std::string path_from_home(const std::filesystem::path& path);
+
 /// The form of an export: a picture, the frames of an animation, a mip-mapped texture, or maps for other
 /// programs. The maps are those of a material or, for noise in the plane, colour, normals and height.
 enum class ExportAs { picture, frames, texture, maps };

@@ -100,14 +100,14 @@ void ask_for_paint(Session& session) {
 
 void ask_where_to_save(Session& session) {
     ask(session,
-        {.title = "Save the parameters",
+        {.title = "Save as a preset",
          .action = "Save",
          .endings = {".json"},
          .name = std::filesystem::path(session.document().path).filename().string(),
          .take =
              [&session](const std::string& path) {
                  session.document().path = path;
-                 save_preset(session);
+                 write_preset(session);
              }},
         session.document().path);
 }
@@ -144,6 +144,11 @@ void answer_dialog(Session& session) {
     answered.take(path.string());
 }
 
+void cancel_dialog(Session& session) {
+    session.dialog.reset();
+    session.closing = Closing::no;
+}
+
 void dialog_window(Session& session) {
     constexpr const char* id = "###file dialog";
     if (session.dialog && !ImGui::IsPopupOpen(id))
@@ -178,7 +183,7 @@ void dialog_window(Session& session) {
     const bool taken = ImGui::Button(dialog.action.c_str(), {buttons, 0});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {buttons, 0}))
-        session.dialog.reset();
+        cancel_dialog(session);
     else if (entered || taken || twice)
         answer_dialog(session);
     ImGui::EndPopup();

@@ -33,6 +33,8 @@ void ask_where_to_export(Session& session);
 
 /// Enters the folder named in the field, or chooses the file.
 void answer_dialog(Session& session);
+/// Also cancels closing, which may have asked for a name to save.
+void cancel_dialog(Session& session);
 
 /// Draws the dialog. Call it after drawing all other windows.
 void dialog_window(Session& session);

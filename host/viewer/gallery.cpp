@@ -4,12 +4,64 @@
 #include "render/load.hpp"
 #include "viewer/embedded.hpp"
 
-#include <imgui.h>
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+#include <sstream>
 
 namespace gabor::viewer {
+
+namespace {
+
+// Presets that are shown together. Search finds the words of the title too.
+struct Group {
+    std::string title;
+    std::vector<std::string> kinds; ///< materials and views
+    std::vector<std::size_t> presets = {};
+};
+
+std::vector<Group> grouped_presets() {
+    std::vector<Group> groups{{"Wood and bark", {"wood", "bark"}},
+                              {"Cloth, fabric and fibre", {"fabric", "carbon-fibre"}},
+                              {"Leather, skin and fur", {"leather", "zebra"}},
+                              {"Metal, paint and ice", {"brushed-metal", "scratches"}},
+                              {"Stone and sand", {"marble", "strata", "sand"}},
+                              {"Snowy mountains, hills and canyons", {"landscape"}},
+                              {"Seas and lakes", {"ocean"}}};
+    std::vector<std::string> kinds;
+    for (const std::string_view name : render::preset_names()) {
+        const render::Request request = render::preset(name);
+        const char* const kind = request.material == render::no_material ? "view" : "material";
+        kinds.push_back(std::get<std::string>(*render::parameter(kind).get(request)));
+    }
+    for (Group& group : groups)
+        for (const std::string& kind : group.kinds)
+            for (std::size_t i = 0; i < kinds.size(); ++i)
+                if (kinds[i] == kind)
+                    group.presets.push_back(i);
+    return groups;
+}
+
+// A space, and the words in lower case.
+std::string spaced(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) {
+        return std::isalnum(c) ? static_cast<char>(std::tolower(c)) : ' ';
+    });
+    return ' ' + text;
+}
+
+// The number of words searched for that begin a word of the text.
+int words_found(const std::string& search, const std::string& text) {
+    std::istringstream words(spaced(search));
+    int found = 0;
+    for (std::string word; words >> word;)
+        found += spaced(text).find(' ' + word) != std::string::npos;
+    return found;
+}
+
+} // namespace
 
 const PresetPictures& preset_pictures() {
     static const PresetPictures pictures = [] {
@@ -31,54 +83,69 @@ const PresetPictures& preset_pictures() {
 Gallery gallery_window(Session& session, float width, float height) {
     if (!session.gallery)
         return {};
+    static const std::vector<Group> groups = grouped_presets();
     const std::span<const render::Preset> presets = render::presets();
-    const auto count = static_cast<int>(presets.size());
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float gap = style.ItemSpacing.x;
-    float least = 0; // cell width that the longest name needs
+    Gallery gallery{.picture_side = PresetPictures::side};
     for (const render::Preset& preset : presets)
-        least = std::max(least, ImGui::CalcTextSize(std::string(preset.name).c_str()).x +
-                                    style.FramePadding.x / 2 + gap);
+        gallery.picture_side =
+            std::max(gallery.picture_side,
+                     ImGui::CalcTextSize(std::string(preset.name).c_str()).x + 2 * style.FramePadding.x);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, height});
     ImGui::Begin("presets", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    // Chooses the largest cells for which all presets are visible. If their names would not fit, the window
-    // scrolls.
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    float cell = 0;
-    for (int columns = 1; columns <= count; ++columns) {
-        const int rows = (count + columns - 1) / columns;
-        cell =
-            std::max(cell, std::min(room.x / static_cast<float>(columns), room.y / static_cast<float>(rows)));
+    if (ImGui::IsWindowAppearing()) {
+        session.search.clear();
+        ImGui::SetKeyboardFocusHere();
     }
-    cell = std::floor(std::max(cell, std::min(least, room.x)));
-    const int columns = std::max(static_cast<int>(room.x / cell), 1);
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float left = origin.x + (room.x - cell * static_cast<float>(columns) + gap) / 2;
+    ImGui::SetNextItemWidth(std::min(24 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x));
+    const bool entered = ImGui::InputTextWithHint("##search", "Search, for example: copper", &session.search,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    const auto found = [&](const Group& group, std::size_t preset) {
+        return words_found(session.search, fmt::format("{} {}", group.title, presets[preset].name));
+    };
+    int most = 0;
+    for (const Group& group : groups)
+        for (const std::size_t preset : group.presets)
+            most = std::max(most, found(group, preset));
+    if (most == 0 && !session.search.empty())
+        ImGui::TextUnformatted("Nothing has that name. These are all:");
+    ImGui::BeginChild("pictures");
+    gallery.top = ImGui::GetWindowPos().y;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    Gallery gallery{cell - gap, {}};
-    for (int index = 0; index < count; ++index) {
-        const std::string name(presets[static_cast<std::size_t>(index)].name);
-        const ImVec2 corner{left + cell * static_cast<float>(index % columns),
-                            origin.y + cell * static_cast<float>(index / columns)};
-        const ImVec2 end{corner.x + gallery.picture_side, corner.y + gallery.picture_side};
-        gallery.corners.push_back(corner);
-        ImGui::SetCursorScreenPos(corner);
-        const bool chosen =
-            ImGui::InvisibleButton(name.c_str(), {gallery.picture_side, gallery.picture_side});
-        draw.AddRect(corner, end,
-                     ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Separator), 0,
-                     0, 2);
-        label(draw, {corner.x, end.y - ImGui::GetFontSize() - style.FramePadding.x}, name,
-              ImGui::GetColorU32(ImGuiCol_Text));
-        if (chosen) {
-            open_preset(session, name);
-            session.gallery = false;
+    bool first = true;
+    for (const Group& group : groups) {
+        bool titled = false;
+        for (const std::size_t preset : group.presets) {
+            if (found(group, preset) < most)
+                continue;
+            if (!std::exchange(titled, true))
+                ImGui::TextDisabled("%s", group.title.c_str());
+            else if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + gallery.picture_side <= right)
+                ImGui::SameLine();
+            const std::string name(presets[preset].name);
+            const bool chosen =
+                ImGui::InvisibleButton(name.c_str(), {gallery.picture_side, gallery.picture_side});
+            const ImVec2 corner = ImGui::GetItemRectMin();
+            const ImVec2 end = ImGui::GetItemRectMax();
+            if (ImGui::IsItemVisible())
+                gallery.pictures.push_back({preset, corner});
+            draw.AddRect(corner, end,
+                         ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Separator),
+                         0, 0, 2);
+            label(draw, {corner.x, end.y - ImGui::GetFontSize() - style.FramePadding.x}, name,
+                  ImGui::GetColorU32(ImGuiCol_Text));
+            if (chosen || (entered && std::exchange(first, false))) {
+                open_preset(session, name);
+                session.gallery = false;
+            }
         }
     }
+    ImGui::EndChild();
     ImGui::End();
     return gallery;
 }

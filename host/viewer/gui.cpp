@@ -25,15 +25,16 @@ namespace gabor::viewer {
 
 namespace {
 
-// A press of a key, or a press or release of a mouse button, that no frame has processed yet. A press counts
-// even if it ends before the next frame.
+// A press of a key with its character, or a press or release of a mouse button, that no frame has processed
+// yet. A press counts even if it ends before the next frame.
 struct Press {
-    int key; ///< -1 for a button
+    int key; ///< -1 for others
     int button;
     bool down;
     int modifiers;
-    ImVec2 at;   ///< the pointer's position
-    double time; ///< in seconds
+    ImVec2 at;                  ///< the pointer's position
+    double time;                ///< in seconds
+    unsigned int character = 0; ///< that a key typed
 };
 std::deque<Press> presses;
 ImVec2 pointer;
@@ -49,6 +50,12 @@ void note_key(GLFWwindow* window, int key, int scancode, int action, int modifie
 void note_button(GLFWwindow*, int button, int action, int modifiers) {
     if (button < IM_ARRAYSIZE(ImGuiIO::MouseDown))
         presses.push_back({-1, button, action == GLFW_PRESS, modifiers, pointer, glfwGetTime()});
+}
+
+void note_character(GLFWwindow*, unsigned int character) {
+    if (presses.empty() || presses.back().key < 0 || presses.back().character) // a held key, or a composition
+        presses.push_back({-1, -1, false, 0, pointer, glfwGetTime()});
+    presses.back().character = character;
 }
 
 void note_pointer(GLFWwindow*, double x, double y) {
@@ -109,12 +116,10 @@ void set_style(float density) {
     style.WindowPadding = {14, 12};
     style.IndentSpacing = 12;
     style.ScrollbarSize = 11;
-    style.GrabMinSize = 12;
+    style.GrabMinSize = 1;
     ImVec4* colour = style.Colors;
     const ImVec4 accent{0.91f, 0.68f, 0.36f, 1};
     const ImVec4 dim{accent.x, accent.y, accent.z, 0.55f};
-    // Translucent, because a slider's number is drawn over its grab.
-    const auto grab = [&](float alpha) { return ImVec4(accent.x, accent.y, accent.z, alpha); };
     colour[ImGuiCol_WindowBg] = {0.085f, 0.088f, 0.095f, 1};
     colour[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.125f, 0.98f};
     colour[ImGuiCol_Text] = {0.86f, 0.86f, 0.85f, 1};
@@ -128,8 +133,7 @@ void set_style(float density) {
     colour[ImGuiCol_Button] = {0.18f, 0.185f, 0.2f, 1};
     colour[ImGuiCol_ButtonHovered] = {0.25f, 0.255f, 0.27f, 1};
     colour[ImGuiCol_ButtonActive] = dim;
-    colour[ImGuiCol_SliderGrab] = grab(0.35f);
-    colour[ImGuiCol_SliderGrabActive] = grab(0.45f);
+    colour[ImGuiCol_SliderGrab] = colour[ImGuiCol_SliderGrabActive] = {}; // slider() draws a line
     colour[ImGuiCol_CheckMark] = accent;
     colour[ImGuiCol_PlotHistogram] = dim;
     colour[ImGuiCol_Separator] = {0.2f, 0.205f, 0.22f, 1};
@@ -231,6 +235,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     glfwSetCursorPosCallback(window.handle(), note_pointer);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     glfwSetKeyCallback(window.handle(), note_key);
+    glfwSetCharCallback(window.handle(), note_character);
     glfwSetMouseButtonCallback(window.handle(), note_button);
     const vulkan::Device::State& state = device.state();
     info_.Instance = *state.instance;
@@ -324,6 +329,17 @@ void Gui::take_press() {
         tell(std::exchange(released_, 0), GLFW_RELEASE);
     set_modifiers(down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL),
                   down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT));
+    // A field takes all text up to the next key that edits or leaves it, without a frame for each key. The
+    // last key or click may have moved to another field or closed this one, which takes two frames to show.
+    const auto is_text = [&] {
+        return !presses.empty() && presses.front().character && (io.WantTextInput || presses.front().key < 0);
+    };
+    if (is_text()) {
+        if (ImGui::GetFrameCount() > taken_in_ + 2)
+            for (; is_text(); presses.pop_front())
+                io.AddInputCharacter(presses.front().character);
+        return;
+    }
     if (presses.empty())
         return;
     const Press next = presses.front();
@@ -336,8 +352,11 @@ void Gui::take_press() {
             return; // as above
     }
     presses.pop_front();
+    taken_in_ = ImGui::GetFrameCount();
     if (is_key) {
         tell(next.key, GLFW_PRESS);
+        if (next.character)
+            io.AddInputCharacter(next.character);
         if (!down(next.key))
             released_ = next.key;
     }

@@ -47,6 +47,7 @@ class Gui {
     float scale_;
     std::set<ImWchar> characters_; ///< characters to load besides those of western Europe
     bool loaded_ = false;          ///< whether the fonts are loaded, with all `characters_`
+    int taken_in_ = 0;             ///< frame that last took a key or a button
     int released_ = 0;             ///< key to release in the next frame; 0 for none
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< buttons that are held down
     std::array<double, IM_ARRAYSIZE(ImGuiIO::MouseDown)> pressed_at_{};

@@ -47,7 +47,7 @@ std::optional<Orbit> orbit(render::View& view) {
 // Zooms about a point, given in pixels from the middle of the view.
 void zoom(Session& session, double factor, double x, double y) {
     if (session.tiling)
-        return notify(session, "Tiles set their own scale");
+        return notify(session, "Tiles set their own zoom");
     Document& document = session.document();
     render::Request& request = document.request;
     if (const std::optional<Orbit> around = orbit(request.view)) {
@@ -115,7 +115,7 @@ struct Shortcut {
 constexpr std::array shortcuts{
     Shortcut{"drag", "move the plane, or turn the body or the landscape"},
     Shortcut{"right drag", "move the light of a lit view"},
-    Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
+    Shortcut{"wheel", "zoom the view about the pointer; exports stay the same"},
     Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
     Shortcut{"double click, Home", "return to the view that gabor render draws", GLFW_KEY_HOME, reset_camera},
     Shortcut{"1 to 8", "choose what is shown: value to lit stripes, or the looks of a material"},
@@ -140,7 +140,7 @@ constexpr std::array shortcuts{
              [](Session& s) { ImGui::GetIO().KeyShift ? s.history.redo() : s.history.undo(); }},
     Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", ctrl + GLFW_KEY_Y, [](Session& s) { s.history.redo(); }},
     Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", ctrl + GLFW_KEY_O, ask_for_file},
-    Shortcut{"Ctrl S", "save the preset", ctrl + GLFW_KEY_S, save_preset},
+    Shortcut{"Ctrl S", "save; the first time, choose where", ctrl + GLFW_KEY_S, save_preset},
     Shortcut{"Ctrl C", "copy GLSL that draws this view", ctrl + GLFW_KEY_C, copy_glsl},
     Shortcut{"Ctrl E", "export", ctrl + GLFW_KEY_E, start_export},
     Shortcut{"H", "hide or show the panels", GLFW_KEY_H, [](Session& s) { s.panels = !s.panels; }},
@@ -187,7 +187,7 @@ void keys(Session& session) {
     }
     if (session.dialog) {
         if (pressed(GLFW_KEY_ESCAPE))
-            session.dialog.reset();
+            cancel_dialog(session);
         return;
     }
     if (pressed(GLFW_KEY_F1))

@@ -10,6 +10,7 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -27,6 +28,9 @@ namespace {
 // Returns the first sentence of a parameter's help, with its unit. The rest is about command-line options and
 // files.
 std::string help_of(const render::Parameter& parameter) {
+    if (parameter.name == "scale")
+        return "Size of everything in the picture: the pixels of one unit, in which other controls count "
+               "threads, rings or waves";
     const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
@@ -139,8 +143,7 @@ constexpr const char* environment_tips[]{"A room with a window", "An overcast sk
 // A slider that a double click resets.
 void resettable(const char* label, float& value, float low, float high, const char* format,
                 float by_default) {
-    ImGui::SliderFloat(label, &value, low, high, format,
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    slider(label, value, low, high, format, ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (reset_asked(label))
         value = by_default;
 }
@@ -152,8 +155,8 @@ void path_field(const char* label, std::string& path, std::string shown) {
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 from{corner.x + pad.x, corner.y + pad.y};
-    const ImVec2 to{corner.x + ImGui::CalcItemWidth() - pad.x, from.y + ImGui::GetFontSize()};
-    const float hidden = ImGui::CalcTextSize(shown.c_str()).x - (to.x - from.x);
+    const ImVec2 to{corner.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFontSize()};
+    const float hidden = ImGui::CalcTextSize(shown.c_str()).x - (to.x - pad.x - from.x);
     if (hidden <= 0 || ImGui::IsItemActive())
         return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -176,6 +179,8 @@ constexpr const char* export_tips[]{
 } // namespace
 
 std::string label_of(std::string_view name) {
+    if (name == "scale")
+        return "pattern size";
     std::string label(name.substr(name.find('.') + 1)); // the name may be MATERIAL.PARAMETER
     std::ranges::replace(label, '_', ' ');
     return label;
@@ -274,7 +279,7 @@ void view_panel(Session& session) {
     controls_of(session, render::Parameter::Group::view);
     if (has_effect(document, "tiles")) {
         ImGui::Checkbox("2 x 2 tiles", &session.tiles);
-        tooltip("T: show four copies of the picture, to look for seams. This view sets its own scale.");
+        tooltip("T: show four copies of the picture, to look for seams. This view sets its own zoom.");
     }
 }
 
@@ -293,8 +298,6 @@ void light_panel(Session& session) {
 
 void file_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    path_field("preset", session.document().path, session.document().path);
-    tooltip("The JSON file to save to; gabor render reads it too");
     const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Open...", {third, 0}))
         ask_for_file(session);
@@ -303,7 +306,8 @@ void file_panel(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
-    tooltip("Ctrl S: save the preset");
+    tooltip(has_file(session.document()) ? "Ctrl S: save to " + session.document().path
+                                         : "Ctrl S: choose where to save");
     ImGui::SameLine();
     if (ImGui::Button("Save as...", {third, 0}))
         ask_where_to_save(session);
@@ -336,14 +340,24 @@ void export_panel(Session& session) {
     if (choose("kind", as, std::span(exports).first(forms), export_tips))
         target.chosen = as;
     controls(session, {"width", "height"});
+    for (const auto& [label, factor] : {std::pair("half size", 0.5), std::pair("double size", 2.0)}) {
+        if (ImGui::Button(label, {half, 0}))
+            attempt(session, [&, by = factor] { resize(session.document(), by); });
+        tooltip("Change the pixels of the picture, but not what it shows");
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
     if (as == ExportAs::frames) {
-        ImGui::SliderInt("frames", &target.frames, 2, 240);
-        target.frames = std::clamp(target.frames, 1, render::most_frames);
+        auto frames = static_cast<float>(target.frames);
+        slider("frames", frames, 2, 240, "%.0f");
+        target.frames = std::clamp(static_cast<int>(frames), 1, render::most_frames);
     }
     if (as == ExportAs::maps && render::has_material(request)) {
         ImGui::Checkbox("DirectX normals", &target.directx);
         tooltip("Also write normal_directx.png, whose green points down");
     }
+    if (as == ExportAs::maps || as == ExportAs::texture)
+        control(session, "tileable");
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
     if (as == ExportAs::picture || as == ExportAs::frames) {
@@ -365,7 +379,7 @@ void export_panel(Session& session) {
     } else {
         if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
-        tooltip("Export in the background while you keep working (Ctrl E)", {}, true);
+        tooltip("Export in the background while you keep working (Ctrl E)");
         ImGui::SameLine();
         if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);
@@ -380,19 +394,19 @@ void start_buttons(Session& session) {
     const float other = (room - longest) / 2;
     if (ImGui::Button("Materials and presets", {width, 0}))
         session.gallery = !session.gallery;
-    tooltip("Choose a material or preset (P)", {}, true);
+    if (!session.gallery) // whose field for searching it would cover
+        tooltip("Choose a material or preset (P)");
     if (ImGui::Button("Photograph", {longest, 0}))
         ask_for_photograph(session);
     tooltip("Fit a noise to a PNG, JPEG, TGA or EXR of a texture, at least 128 x 128 pixels. You can also "
-            "drop it on the window.",
-            {}, true);
+            "drop it on the window.");
     ImGui::SameLine();
     if (ImGui::Button("Copy code", {other, 0}))
         copy_glsl(session);
-    tooltip("Ctrl C: copy GLSL that draws this view", {}, true);
+    tooltip("Ctrl C: copy GLSL that draws this view");
     ImGui::SameLine();
     session.exporting_asked = ImGui::Button("Export", {other, 0});
-    tooltip("Pictures, animations, textures, and sets of maps", {}, true);
+    tooltip("Pictures, animations, textures, and sets of maps");
 }
 
 } // namespace
@@ -545,13 +559,25 @@ bool reset_asked(const char* label) {
     return asked;
 }
 
+bool slider(const char* label, float& value, float low, float high, const char* format, int flags) {
+    const float width = ImGui::CalcItemWidth();
+    const bool moved = ImGui::SliderFloat(label, &value, low, high, format, flags);
+    const float share = flags & ImGuiSliderFlags_Logarithmic
+                            ? std::log(std::max(value, low) / low) / std::log(high / low)
+                            : (value - low) / (high - low);
+    const ImVec2 left{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
+    ImGui::GetWindowDrawList()->AddRectFilled({left.x, left.y - ImGui::GetFontSize() / 5},
+                                              {left.x + width * std::clamp(share, 0.0f, 1.0f), left.y},
+                                              ImGui::GetColorU32(ImGuiCol_CheckMark));
+    return moved;
+}
+
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default) {
     auto shown = static_cast<float>(value);
     const ImGuiSliderFlags logarithmic = usual.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
-    const bool moved =
-        ImGui::SliderFloat(label, &shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
-                           "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    const bool moved = slider(label, shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
+                              "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     if (reset_asked(label)) {
         const bool changed = value != by_default;
         value = by_default;
@@ -571,7 +597,7 @@ bool key_went_down() {
                                [](int key) { return pressed(key); });
 }
 
-void tooltip(std::string_view text, std::optional<float> top, bool aside) {
+void tooltip(std::string_view text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
     constexpr double delay =
@@ -588,14 +614,16 @@ void tooltip(std::string_view text, std::optional<float> top, bool aside) {
         since = std::numeric_limits<double>::infinity();
     if (ImGui::GetTime() - since < delay)
         return;
-    if (aside)
-        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - ImGui::GetStyle().ItemSpacing.x, here.y},
-                                ImGuiCond_Always, {1, 0});
-    else if (top)
-        ImGui::SetNextWindowPos({here.x, *top});
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::FindWindowByName("panels")->Pos.x - style.ItemSpacing.x;
+    const float wrap = std::min(24 * ImGui::GetFontSize(), right - 2 * style.WindowPadding.x);
+    const char* const end = text.data() + text.size();
+    const float height = ImGui::CalcTextSize(text.data(), end, false, wrap).y + 2 * style.WindowPadding.y;
+    ImGui::SetNextWindowPos({right, std::min(here.y, ImGui::GetIO().DisplaySize.y - height)},
+                            ImGuiCond_Always, {1, 0});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PushTextWrapPos(style.WindowPadding.x + wrap);
+    ImGui::TextUnformatted(text.data(), end);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

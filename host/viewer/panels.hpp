@@ -4,7 +4,6 @@
 
 #include <imgui.h>
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +30,10 @@ void handle_input(Session& session, float width, float height);
 
 /// Shows the share that is done, from 0 to 1.
 void progress_bar(double done, float width);
+
+/// A slider that shows its place as a line below its number, which a handle would hide. `flags` are Dear
+/// ImGui's.
+bool slider(const char* label, float& value, float low, float high, const char* format, int flags = 0);
 
 /// A slider over the usual part of a range. Any value in the range can be typed, and a double click resets
 /// the slider. Returns whether the value was changed.
@@ -59,9 +62,9 @@ std::string label_of(std::string_view name);
 /// Draws text on a picture. Breaks lines wider than `wrap` unless that is 0.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap = 0);
 
-/// Explains the last item once the pointer rests on it. The text is beside the pointer, or at `top` if that
-/// is given, or left of the window if `aside`.
-void tooltip(std::string_view text, std::optional<float> top = {}, bool aside = false);
+/// Explains the last item once the pointer rests on it. The text is left of the panel, so it covers no
+/// control.
+void tooltip(std::string_view text);
 /// Whether a key, given by GLFW's number, was pressed in this frame, or repeats because it is held.
 bool pressed(int key, bool repeat = false);
 /// Whether any key was pressed in this frame.
@@ -81,13 +84,20 @@ struct PresetPictures {
 /// Decodes the pictures on the first call.
 const PresetPictures& preset_pictures();
 
-/// Where the window shows the pictures of the presets, in the order of the presets and in Dear ImGui's units.
+/// Where the window shows pictures of presets, in Dear ImGui's units.
 struct Gallery {
+    struct Picture {
+        std::size_t preset; ///< index in render::presets()
+        ImVec2 corner;
+    };
+
     float picture_side = 0;
-    std::vector<ImVec2> corners;
+    float top = 0; ///< where the field for searching ends
+    std::vector<Picture> pictures = {};
 };
 
-/// Labels the pictures in a view of that size, and opens the preset whose picture is clicked.
+/// Labels the pictures in a view of that size, in groups that can be searched, and opens the preset whose
+/// picture is clicked.
 Gallery gallery_window(Session& session, float width, float height);
 
 } // namespace gabor::viewer

@@ -104,9 +104,9 @@ void photograph_panel(Session& session) {
     Fitter& fitter = session.fitter;
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(std::filesystem::path(fitter.path()).filename().string().c_str());
-    int lobes = fitter.lobes();
-    if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
-        fitter.set_lobes(lobes);
+    auto lobes = static_cast<float>(fitter.lobes());
+    if (slider("lobes", lobes, 1, Fitter::most_lobes, "%.0f", ImGuiSliderFlags_AlwaysClamp))
+        fitter.set_lobes(static_cast<int>(lobes));
     tooltip("The largest number of lobes; each costs as much as a plain noise. The fit uses fewer if more "
             "would overfit.");
     ImGui::Checkbox("side by side", &session.photograph_beside);

@@ -93,7 +93,8 @@ bool is_changed(const Session& session) {
 }
 
 void continue_closing(Session& session) {
-    if (session.closing == Closing::no || session.closing == Closing::now || session.question)
+    if (session.closing == Closing::no || session.closing == Closing::now || session.question ||
+        session.dialog)
         return;
     if (session.exporter.running()) {
         if (session.closing == Closing::asked)
@@ -176,7 +177,7 @@ void open_file(Session& session, const std::string& path) {
 void open_preset(Session& session, const std::string& path) {
     attempt(session, [&] {
         Document document = load_document(path, session.history.now);
-        const bool file = std::filesystem::exists(path);
+        const bool file = std::filesystem::is_regular_file(path); // a folder may be named like a preset
         document.path = json_path(path).string();
         document.origin = file ? std::filesystem::absolute(path) : "";
         document.photograph.clear();
@@ -189,10 +190,17 @@ void open_preset(Session& session, const std::string& path) {
     });
 }
 
+bool has_file(const Document& document) {
+    return document.origin == std::filesystem::absolute(json_path(document.path));
+}
+
 void save_preset(Session& session) {
+    has_file(session.document()) ? write_preset(session) : ask_where_to_save(session);
+}
+
+void write_preset(Session& session) {
     const std::string path = json_path(session.document().path).string();
-    const bool own = session.document().origin == std::filesystem::absolute(path);
-    overwrite(session, {path}, own, [&session, path] {
+    overwrite(session, {path}, has_file(session.document()), [&session, path] {
         const std::string text = to_json(session.document());
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
@@ -201,7 +209,7 @@ void save_preset(Session& session) {
         session.history.saved_as(path);
         session.saved = session.history.now;
         add_recent(session, path);
-        notify(session, fmt::format("saved {}", path));
+        notify(session, "saved " + path_from_home(path));
     });
 }
 

@@ -60,6 +60,7 @@ struct Session {
     float divider = 0.5f;          ///< between photograph and noise, as a share of the width
     bool dragging_divider = false;
     bool gallery = false; ///< show the presets in place of the view
+    std::string search;   ///< words that select presets
     std::size_t selected_lobe = 0;
     std::size_t selected_stop = 0; ///< index in the colour map
 
@@ -88,8 +89,12 @@ void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
 /// Names the next export after the document, and scrolls the panel to its top.
 void reset_panel(Session& session);
-/// Saves the document to its path, with the extension .json.
+/// Whether the document was read from the file that it is saved to, or was saved to it.
+bool has_file(const Document& document);
+/// Saves the document to its file, or asks for a name if it has none.
 void save_preset(Session& session);
+/// Saves the document to its path, with the extension .json.
+void write_preset(Session& session);
 void start_export(Session& session);
 /// Shows the result of an export that has ended. Call it in each frame.
 void poll_exporter(Session& session);

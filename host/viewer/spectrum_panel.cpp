@@ -268,8 +268,7 @@ void spectrum_panel(Session& session) {
     bool changed = edit_plane(session, plane, lobes);
     tooltip("The frequency plane, in cycles per kernel radius: the power spectrum, 50 dB from dark to "
             "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
-            "remove one.",
-            corner.y + side);
+            "remove one.");
     if (!ImGui::GetIO().WantTextInput && pressed(GLFW_KEY_DELETE))
         changed |= remove_lobe(session, lobes);
 

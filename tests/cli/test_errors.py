@@ -96,8 +96,8 @@ class Arguments(ErrorTest):
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
             self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")
-        self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
-                           "--frequency=8")
+        (self.folder / "lobes.json").write_text("[{}, {}, {}]")
+        self.refuse_render(["frequency requires a single lobe, not 3"], "--lobes=lobes.json", "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
         self.refuse_render(["lobes.json", "unknown 'freq' in a lobe", "frequency, orientation"], "--lobes=lobes.json")
 

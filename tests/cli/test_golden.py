@@ -33,7 +33,7 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--view=landscape --scale=6", "--view=ocean --wind=14 --time=7.5", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
             "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --lobes=lobes.json",
             "--view=slice --depth=1.3 --scale=6 --filter --gradient", "--view=sphere --scale=6",
-            "--view=torus --solid --scale=6 --yaw=20", "--preset=figure6 --filter --scale=8",
+            "--view=torus --solid --scale=6 --yaw=20",
             "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
             "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60"]

@@ -126,14 +126,15 @@ class Like(RenderTest):
         """Between them, the requests set every parameter to a value other than its default."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
+        (self.folder / "lobes.json").write_text(json.dumps(LOBES[:3]))
         every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30"], ["--filter"],
-                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--preset=figure6"],
+                 ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
                  ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
-            if {"--preset=figure6", "--paint=paint.exr", "--material=zebra"} & {*flags}:
+            if {"--lobes=lobes.json", "--paint=paint.exr", "--material=zebra"} & {*flags}:
                 options = ["--size=61x47", "--scale=24"]
             made = self.render(*options, *flags, output="made.exr")
             again = self.render(like="made.exr")

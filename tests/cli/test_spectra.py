@@ -49,9 +49,9 @@ class Spectra(SpectraTest):
     def test_presets(self):
         listed = re.search(r"other options from a preset: (.*?), or a file", self.succeed("render", "--help"), re.DOTALL)[1]
         self.assertGreaterEqual(len(listed.split(",")), 41)
-        exr = self.render(preset="figure6", size="96x64")
-        self.assertTrue(np.isfinite(exr.pixels).all())
-        self.assertGreater(exr.pixels.std(), 0.3)
+        height = self.render(preset="wood", size="96x64").channels["height"]
+        self.assertTrue(np.isfinite(height).all())
+        self.assertGreater(height.std(), 0)
 
     def test_a_material_has_its_channels_and_is_shown_lit(self):
         whole = self.render("--png=whole.png", material="zebra", size="40x30", scale=20, seed=3).channels
@@ -94,6 +94,7 @@ class Spectra(SpectraTest):
 
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
+        (self.folder / "lobes-preset.json").write_text(json.dumps({"lobes": LOBES}))
         for words, arguments in [
             (["--lobes", "cannot read", "absent.json"], ["--lobes=absent.json"]),
             (["list of lobes"], ["--lobes", self.write_lobes(3, "number.json")]),
@@ -122,7 +123,7 @@ class Spectra(SpectraTest):
             (["recipe 'latice-4': expected lattice-4, "], ["--recipe=latice-4"]),
             (["--frequency requires a single lobe, not wood"], ["--material=wood", "--frequency=3"]),
             (["--gradient requires noise, not wood"], ["--material=wood", "--gradient"]),
-            (["lobes conflicts with wood: it requires noise"], ["--preset=figure6", "--material=wood"]),
+            (["lobes conflicts with wood: it requires noise"], ["--preset=lobes-preset.json", "--material=wood"]),
             (["only planes and bodies have materials"], ["--material=wood", "--view=slice"]),
         ]:
             self.assert_refused(words, "render", "-o", "out.exr", "--size=64x64", *arguments)
@@ -246,7 +247,7 @@ class Channels(SpectraTest):
 
     def test_headers_name_the_recipe_used_if_any(self):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
-                                ("one", ["--orientation-spread=90"]), ("paper", ["--preset=figure6"])):
+                                ("one", ["--orientation-spread=90"]), ("paper", ["--lobes", self.write_lobes(LOBES)])):
             self.assertEqual(self.render(*options, size="64x64", recipe=recipe).parameters["recipe"], recipe)
         for options in (["--view=slice"], ["--view=sphere"], ["--view=terrain"], ["--material=wood"]):
             self.assertNotIn("recipe", self.render(*options, size="64x64").parameters)

@@ -3,6 +3,7 @@
 // stdin, one per line, do the rest:
 //
 //     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
+//     resize FACTOR                       all pixels of the picture
 //     open FILE | save FILE | copy FILE   copy writes the clipboard's text to the file
 //     export FILE | screenshot FILE | window FILE    screenshot: the picture; window: also the panels
 //     quit
@@ -93,6 +94,7 @@ void tell(App& app, const Seen& seen) {
         {"fitting", session.fitter.running()},
         {"popup", ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)},
         {"gallery", session.gallery},
+        {"search", session.search},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
         {"reading", session.reading},
     };
@@ -125,7 +127,9 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
         open_file(session, rest);
     } else if (name == "save") {
         session.document().path = rest;
-        save_preset(session);
+        write_preset(session);
+    } else if (name == "resize") {
+        resize(session.document(), std::stod(rest));
     } else if (name == "copy") {
         std::ofstream(rest) << ImGui::GetClipboardText();
     } else if (name == "export") {

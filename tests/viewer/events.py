@@ -19,7 +19,7 @@ from png import read_colour_png
 
 DRIVEN_VIEWER = os.environ["GABOR_DRIVEN_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
-COMMANDS = "set", "open", "save", "copy", "export", "screenshot", "window", "quit" # the commands of driven_viewer.cpp
+COMMANDS = "set", "resize", "open", "save", "copy", "export", "screenshot", "window", "quit" # the commands of driven_viewer.cpp
 PATIENCE = 120 # seconds; a longer wait is a failure, even on a slow machine
 
 
@@ -223,9 +223,12 @@ class EventsTest(ViewerTest):
         self.end()
 
     def saved(self, name="noise.json"):
-        """Presses Ctrl+S and returns the JSON that this writes."""
+        """Presses Ctrl+S, accepts the name that the viewer offers, if it does, and returns the JSON that this writes."""
         (self.folder / name).unlink(missing_ok=True)
         self.keys("ctrl+s")
+        self.frames(3)
+        if self.state["dialog"]:
+            self.keys("Return")
         return json.loads(self.read(name))
 
     def read(self, name):

@@ -68,7 +68,7 @@ class Artist(EventsTest):
         self.assertTrue(self.state["photograph"])
         self.keys("ctrl+z") # back to the noise before the fit
         self.assertFalse(self.state["photograph"])
-        self.keys("ctrl+s")
+        self.keys("ctrl+s", "Return")
         self.assertNotIn("colour", json.loads(self.read("noise.json")))
         self.assertEqual(json.loads(self.read("cloth.json")), fit)
         self.keys("ctrl+y")

@@ -16,7 +16,7 @@ class Events(EventsTest):
         return json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
 
     def test_pointer_and_keys(self):
-        self.open(*WINDOW, "figure6")
+        self.open(*WINDOW, self.preset("plain.json", frequency=3))
         self.assertEqual(self.state["font"], 14)
         first = self.document["viewer"]["camera"]
         self.xdotool("mousedown", 1)
@@ -35,7 +35,8 @@ class Events(EventsTest):
         for chord in ("n", "ctrl+z", "n", "f", "n", "ctrl+s"):
             self.xdotool("key", "--delay", 0, chord)
         self.wait_for(lambda state: state["keys"] == before + 6)
-        saved = json.loads(self.read("figure6.json"))
+        self.keys("Return") # replaces the file
+        saved = json.loads(self.read("plain.json"))
         self.assertEqual((saved["seed"], saved["filter"]), (2, True))
         self.keys("F11")
         self.wait_for(lambda state: state["size"] == [1600, 1000])
@@ -53,7 +54,7 @@ class Events(EventsTest):
         self.assertEqual((placement["width"], placement["height"]), (600, 400))
 
     def test_no_click_is_lost_in_a_long_frame(self):
-        self.open(*WINDOW, "figure6")
+        self.open(*WINDOW, self.preset("plain.json", frequency=3))
         at = "mousemove", "--window", self.window
         first = self.document["viewer"]["camera"]
         with self.long_frame():
@@ -69,25 +70,79 @@ class Events(EventsTest):
             self.xdotool(*at, 160, 60, "click", 1, *at, 500, 23, "click", 1, *at, 100, 100)
         self.assertTrue(self.state["gallery"])
         with self.long_frame(): # a click on the second preset, and a key
-            self.xdotool(*at, 230, 60, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
-        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # aramid has seed 0; N adds 1
+            self.xdotool(*at, 230, 100, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
+        self.assertEqual((self.document["material"], self.document["seed"]), ("wood", 3)) # pine has seed 2; N adds 1
         self.close()
 
     def test_changes_are_not_lost_on_closing(self):
-        self.open(*WINDOW, "figure6")
+        self.open(*WINDOW, "wood")
         self.keys("n", "3", "ctrl+q", "Escape")
         self.assertIsNone(self.state["question"])
         self.keys("n", "ctrl+q", "d")
         self.end()
-        self.assertIsNone(self.read("figure6.json"))
+        self.assertIsNone(self.read("wood.json"))
         self.open(*WINDOW) # the session comes back
-        self.assertEqual(self.document["viewer"]["output"], "phase")
-        self.keys("n", "ctrl+q", "Return") # the viewer asks whether to save, and Return saves
+        self.assertEqual(self.document["viewer"]["look"], "height")
+        self.keys("n", "ctrl+q", "Return") # the viewer asks whether to save, Return says yes, and the viewer asks for a name
+        self.assertIsNotNone(self.state["dialog"])
+        self.keys("Escape")
+        self.frames(3)
+        self.assertEqual((self.state["dialog"], self.state["question"]), (None, None))
+        self.keys("ctrl+q", "Return")
+        self.type("oak")
+        self.keys("Return")
         self.end()
-        last = json.loads(self.read("figure6.json"))
-        self.assertEqual((last["seed"], last["viewer"]["output"]), (3, "phase"))
-        self.gabor("render", "--like", "figure6.json", "--size", "16x16", "-o", "again.exr")
-        self.assertEqual(self.remembered()["recent"], [str(self.folder / "figure6.json")])
+        last = json.loads(self.read("oak.json"))
+        self.assertEqual((last["seed"], last["viewer"]["look"]), (3, "height"))
+        self.gabor("render", "--like", "oak.json", "--size", "16x16", "-o", "again.exr")
+        self.assertEqual(self.remembered()["recent"], [str(self.folder / "oak.json")])
+        self.open(*WINDOW) # the session remembers the file too
+        self.keys("n", "ctrl+s")
+        self.assertIn("oak.json", self.state["question"])
+        self.keys("Escape", "ctrl+q", "d")
+        self.end()
+
+    def test_the_first_save_asks_for_a_name_and_says_where_it_saved(self):
+        self.open(*WINDOW, "wood")
+        (self.folder / "wood").mkdir() # as from an export of maps
+        self.command("open wood")
+        self.keys("ctrl+s")
+        self.type("dark oak")
+        self.keys("Return")
+        self.assertEqual(self.state["message"], f"saved {self.folder / 'dark oak.json'}")
+        self.keys("n", "ctrl+s") # now the document has a file
+        self.assertIsNone(self.state["dialog"])
+        self.assertEqual(json.loads(self.read("dark oak.json"))["seed"], 1)
+        self.assertIsNone(self.read("wood.json"))
+        self.close()
+
+    def test_text_typed_during_a_long_frame_stays_in_its_field(self):
+        self.open(*WINDOW, "walnut")
+        at = "mousemove", "--window", self.window
+
+        def typed(text):
+            return "key", "ctrl+a", "type", "--delay", 0, text
+
+        with self.long_frame(): # two colours, one after the other, by clicks
+            for y, colour in ((135, "#445566"), (163, "#778899")):
+                self.xdotool(*at, 400, y, "click", 1)
+                self.xdotool(*typed(colour))
+        self.frames(24)
+        self.assertEqual(self.colours(), ["#445566", "#778899"])
+        with self.long_frame(): # and by Tab, then the slider below them
+            self.xdotool(*at, 400, 135, "click", 1)
+            for text in ("#A1B2C3", "#D4E5F6", "21"):
+                self.xdotool(*typed(text))
+                self.xdotool("key", "Tab")
+        self.frames(24)
+        self.keys("Return") # leaves the last field
+        self.assertEqual((self.colours(), self.document["wood.rings"]), (["#a1b2c3", "#d4e5f6"], 21))
+        self.close()
+
+    def colours(self):
+        """Returns the colours of wood in sRGB."""
+        return ["#" + "".join(f"{round(255 * (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055)):02x}" for c in
+                              self.document[f"wood.{ring}"]) for ring in ("early", "late")]
 
     def test_an_export_is_not_lost_on_closing(self):
         for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
@@ -103,7 +158,7 @@ class Events(EventsTest):
         picture = self.read("painted.exr")
         self.open(*WINDOW)
         self.drop("painted.exr")
-        self.keys("ctrl+s")
+        self.keys("ctrl+s", "Return") # an EXR is not where presets are saved
         self.assertEqual(json.loads(self.read("painted.json"))["frequency"], 7)
         self.assertEqual(self.read("painted.exr"), picture)
 
@@ -149,7 +204,7 @@ class Events(EventsTest):
         one = json.loads(self.read("one.json"))
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
-        self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # back to before any file was opened
+        self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s", "Return") # back to before any file was opened
         self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # the material shown on first start
         self.close()
 
@@ -215,7 +270,7 @@ class LargeScreen(EventsTest):
     screen_size = "2560x1440"
 
     def test_text_grows_with_the_screen(self):
-        self.open(*WINDOW, "figure6")
+        self.open(*WINDOW, "wood")
         self.assertEqual(self.state["font"], round(14 * 1440 / 1080)) # 14 on smaller screens
         self.close()
 

@@ -10,6 +10,7 @@
 #include <imgui_internal.h>
 
 #include <regex>
+#include <set>
 #include <string>
 
 using namespace gabor;
@@ -59,7 +60,8 @@ std::string panel_text(const Document& document) {
 } // namespace
 
 TEST_CASE("the panel avoids jargon outside the laboratory") {
-    const std::regex jargon(R"(\b(recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
+    const std::regex jargon(R"(\b(scale|recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)",
+                            std::regex::icase);
     const auto check = [&](const std::string& mode, const Document& document) {
         INFO(mode);
         const std::string text = panel_text(document);
@@ -80,6 +82,23 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
             document.colours = 5;
             check(fmt::format("{}, {}", view, output_names.at(output)), document);
         }
+}
+
+TEST_CASE("the gallery shows each preset once") {
+    const NoWindow none;
+    Session session({}, "");
+    session.gallery = true;
+    Gallery gallery;
+    for (int frame = 0; frame < 3; ++frame) {
+        ImGui::NewFrame();
+        gallery = gallery_window(session, 1000, 4000);
+        ImGui::EndFrame();
+    }
+    std::set<std::size_t> shown;
+    for (const Gallery::Picture& picture : gallery.pictures)
+        shown.insert(picture.preset);
+    CHECK(gallery.pictures.size() == render::presets().size());
+    CHECK(shown.size() == render::presets().size());
 }
 
 TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles outside a slider's range are "
@@ -120,4 +139,21 @@ TEST_CASE("the panel shows only what has an effect") {
         CHECK(has(with, label));
         CHECK_FALSE(has(without, label));
     }
+}
+
+TEST_CASE("a picture of twice the size shows the same, and so does the window") {
+    Document document =
+        document_from_json(R"({"material": "wood", "width": 300, "height": 200, "scale": 50})");
+    document.camera = document.camera.moved(3, 4);
+    const Document before = document;
+    resize(document, 2);
+    CHECK(document.request.width == 600);
+    CHECK(document.request.height == 400);
+    CHECK(document.request.scale == 100);
+    CHECK(document.camera.x == before.camera.x);
+    CHECK(document.camera.zoom == before.camera.zoom / 2);
+    resize(document, 0.5);
+    CHECK(document == before);
+    CHECK_THROWS(resize(document, 1000));
+    CHECK(document == before);
 }

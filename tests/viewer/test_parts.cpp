@@ -96,6 +96,8 @@ TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
         requests.emplace_back();
         render::set(requests.back(), "material", std::string(material));
     }
+    requests.push_back(requests.back());
+    render::set(requests.back(), "boards", true);
     for (const render::Request& request : requests)
         for (const render::Parameter& parameter : render::parameters()) {
             const auto value =

@@ -108,6 +108,29 @@ class Window(EventsTest):
             self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
         self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from the lobe, only the axes and rings are drawn
 
+    def test_nothing_hides_the_number_of_a_slider(self):
+        self.play("""
+            point 300 300
+            window panel.png""", "walnut", "--window", "1280x800")
+        sliders = read_colour_png(self.folder / "panel.png")[180:292, 930:1136] # rings, waviness, pores and roughness
+        colourful = (np.ptp(sliders, axis=2) > 40).reshape(4, 28, -1).sum(axis=2)
+        self.assertTrue((colourful[:, 17:].sum(axis=1) > 40).all()) # each has a line at its place
+        self.assertEqual(colourful[:, :17].sum(), 0) # the line is below the number
+        self.assertGreater((sliders[:, 90:116].min(axis=2) > 150).sum(), 40) # the numbers
+
+    def test_a_tooltip_covers_no_control(self):
+        self.open("walnut", "--window", "1280x800")
+        self.point(1020, 760) # below all controls
+        around = lambda: self.shown(0, 210, 1280, 300) # below the first slider and the pointer
+        before = around()
+        self.point(1020, 192) # the first slider, whose tooltip is as high as its control
+        self.wait_for(lambda state: np.abs(around() - before).max() > 20)
+        self.frames(3)
+        covered = np.abs(around() - before).max(axis=2) > 20
+        self.assertGreater(covered[:, :916].sum(), 100) # the tooltip is on the picture
+        self.assertEqual(covered[:, 916:].sum(), 0)
+        self.close()
+
     def test_what_has_no_effect_says_so(self):
         self.play("""
             set view sphere

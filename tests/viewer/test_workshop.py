@@ -1,6 +1,7 @@
 """Tests presets shown as pictures, tiles shown two by two, and exports of frames, textures and maps."""
 
 import json
+import pathlib
 import shutil
 import time
 import unittest
@@ -22,13 +23,13 @@ class Workshop(EventsTest):
         self.click(1020, 51)
         self.frames(3)
 
-    def export_as(self, kind, y=531):
+    def export_as(self, kind, y=504):
         """Chooses what to export from the list at the height y, and exports it."""
         self.click(900, y)
         self.click(900, y + 30 + 20 * kind)
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(756, y + 84) # the smallest number of frames
+            self.click(752, y + 111) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e")
         self.exported()
@@ -37,9 +38,8 @@ class Workshop(EventsTest):
         self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the fourth of seven presets in a row. The row is centred in the view, and its cells are 136 pixels wide.
-        # Each picture has the preset's name over its lower edge.
-        left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
+        # Bark is the fifth in the first group, after four kinds of wood. Each picture has its name over its lower edge.
+        left, top = 14 + 4 * 136, 60
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
@@ -57,8 +57,17 @@ class Workshop(EventsTest):
         self.point(200, 200)
         self.xdotool("click", "--repeat", 40, "--delay", 1, 5)
         self.frames(3)
-        self.click(230, 420)
-        self.assertEqual(self.document["material"], "zebra")
+        self.click(100, 420)
+        self.assertEqual(pathlib.Path(self.state["path"]).name, "storm.json")
+        # The search finds words of names and groups.
+        for search, opened in (("copper weath", "weathered-copper"), ("snow mountains", "alps"), ("cloth herringbone", "herringbone")):
+            self.keys("p")
+            self.frames(3)
+            self.xdotool("type", search)
+            self.wait_for(lambda state, search=search: state["search"] == search)
+            self.keys("Return")
+            self.assertFalse(self.state["gallery"])
+            self.assertEqual(pathlib.Path(self.state["path"]).name, f"{opened}.json")
         self.close()
 
     def test_tiles_are_shown_two_by_two_without_seams(self):
@@ -168,7 +177,7 @@ class Workshop(EventsTest):
             self.frames(2)
             self.assertEqual(self.state["popup"], opens)
         azimuth = self.document["light_azimuth"]
-        self.drag(782, 587, 880, 587) # its slider
+        self.drag(782, 615, 880, 615) # its slider
         self.assertFalse(self.state["popup"])
         self.assertGreater(self.document["light_azimuth"], azimuth + 30)
         self.close()
