@@ -292,7 +292,7 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "ocean",
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose", "erosion", "ocean",
                                                   "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 

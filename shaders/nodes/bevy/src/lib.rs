@@ -15,6 +15,7 @@ impl Plugin for GaborNoisePlugin {
         load_shader_library!(app, "noise_3d.wgsl");
         load_shader_library!(app, "filter_3d.wgsl");
         load_shader_library!(app, "materials.wgsl");
+        load_shader_library!(app, "compose.wgsl");
         load_shader_library!(app, "erosion.wgsl");
         load_shader_library!(app, "ocean.wgsl");
     }
