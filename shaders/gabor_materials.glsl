@@ -1192,7 +1192,9 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
     GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
-    at = gabor_impl_warp(pixel, at, vec2(0.3, 0.1), vec2(0.0, 0.17), seed, 2 * i);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
+    at = gabor_impl_warp(pixel, at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
 }
 

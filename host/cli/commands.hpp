@@ -80,6 +80,9 @@ std::array<Number, count> parse_numbers(std::string_view option, std::string_vie
     return values;
 }
 
+/// Reads a finite number above 0.
+double parse_positive(std::string_view option, std::string_view text, std::string_view accepted);
+
 /// Reads a whole number from `low` to `high`. Error messages append `where` to these limits.
 int parse_integer(std::string_view option, std::string_view text, int low, int high,
                   std::string_view where = "");

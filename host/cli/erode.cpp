@@ -69,13 +69,6 @@ render::Request defaults_of(const std::string& preset) {
     return request;
 }
 
-double positive(const char* option, const std::string& text, const char* accepted) {
-    const double value = parse_numbers<double, 1>(option, text, ',', accepted)[0];
-    if (!(value > 0 && std::isfinite(value)))
-        refuse(option, text, accepted);
-    return value;
-}
-
 // Returns a terrain with the map's erosion. `extent` is the map's width, if known.
 render::Request request_of(const ErodeOptions& options, std::optional<double> extent) {
     const std::vector<std::string_view> names = terrain_presets();
@@ -86,7 +79,7 @@ render::Request request_of(const ErodeOptions& options, std::optional<double> ex
         if (!extent)
             throw RequestError("--gully-width needs the width of the map: give --extent");
         const double width =
-            positive("--gully-width", *options.gully_width, "a width above 0, in the unit of --extent");
+            parse_positive("--gully-width", *options.gully_width, "a width above 0, in the unit of --extent");
         const double frequency = *extent / render::preset_side / width;
         const render::Parameter& parameter = render::parameter("gully_frequency");
         if (!(frequency >= parameter.range.low && frequency <= parameter.range.high))
@@ -258,7 +251,7 @@ void erode(const ErodeOptions& options) {
     const image::PictureReader::Format format = open()->format();
     std::optional<double> extent = format.extent;
     if (options.extent)
-        extent = positive("--extent", *options.extent, "the width of the map, above 0");
+        extent = parse_positive("--extent", *options.extent, "the width of the map, above 0");
     render::Request request = request_of(options, extent);
     const Map map = map_of(options, open, format, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));

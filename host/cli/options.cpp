@@ -92,6 +92,13 @@ void refuse(std::string_view option, std::string_view text, std::string_view acc
     throw RequestError(fmt::format("{} '{}': expected {}", option, text, accepted));
 }
 
+double parse_positive(std::string_view option, std::string_view text, std::string_view accepted) {
+    const auto [value] = parse_numbers<double, 1>(option, text, ',', accepted);
+    if (!(value > 0 && std::isfinite(value)))
+        refuse(option, text, accepted);
+    return value;
+}
+
 int parse_integer(std::string_view option, std::string_view text, int low, int high, std::string_view where) {
     const std::string accepted = fmt::format("a whole number from {} to {}{}", low, high, where);
     const auto [value] = parse_numbers<int, 1>(option, text, ' ', accepted);

@@ -26,6 +26,7 @@ struct RenderOptions {
     std::optional<std::string> maps;
     bool directx = false;
     std::optional<std::string> normal_bits;
+    std::optional<std::string> metres;
     std::optional<std::string> size;
     std::optional<std::string> region;
     std::optional<std::string> like;
@@ -171,6 +172,7 @@ std::string subject(const render::Request& request) {
 }
 
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
+// They tile and have sides of map_side, unless options or a file to reproduce say otherwise.
 void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.heightmap || options.elevation || options.region ||
         options.frames || options.level)
@@ -180,21 +182,37 @@ void render_map_set(const RenderOptions& options) {
     const std::string bits = options.normal_bits.value_or("16");
     if (bits != "8" && bits != "16")
         refuse("--normal-bits", bits, "8 or 16");
+    render::MapFormat format{options.directx, options.texture, options.half, bits == "8" ? 8 : 16};
+    if (options.metres)
+        format.metres = parse_positive("--metres", *options.metres, "a width above 0");
     Work work = make_work(options);
-    const bool terrain = render::has_terrain(work.request);
+    const render::Values given = given_values(options.parameters);
+    const auto gives = [&](std::string_view name) {
+        return std::ranges::any_of(given, [&](const auto& value) { return value.first->name == name; });
+    };
+    render::Request& request = work.request;
+    request = render::from_above(request);
+    if (!options.size && !options.like) {
+        const double scale = request.scale;
+        render::set_side(request, render::map_side);
+        if (gives("scale"))
+            request.scale = scale;
+    }
+    const bool terrain = render::has_terrain(request);
     if (!work.scaled)
-        work.request.scale =
-            std::max(2.0, std::min(work.request.width, work.request.height) / (terrain ? 8.0 : 4.0));
-    work.request.filter = !terrain;
+        request.scale = std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0));
+    if (!options.like && !gives("tileable"))
+        render::make_tile(request);
+    render::check(request);
+    request.filter = !terrain;
     const vulkan::Device device(options.device);
     {
-        Progress progress("rendering", work.region.pixels());
-        render::render_maps(device, work.request, *options.maps,
-                            {options.directx, options.texture, options.half, bits == "8" ? 8 : 16},
+        Progress progress("rendering", image::Rect{0, 0, request.width, request.height}.pixels());
+        render::render_maps(device, request, *options.maps, format,
                             [&](std::uint64_t done) { progress.advance(done); });
     }
-    fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
-               work.request.height, subject(work.request), device.info().name);
+    fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, request.width, request.height,
+               subject(request), device.info().name);
 }
 
 void render_pictures(const RenderOptions& options) {
@@ -205,8 +223,11 @@ void render_pictures(const RenderOptions& options) {
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
-    if (options.directx || options.normal_bits)
-        throw RequestError(options.directx ? "--directx requires --maps" : "--normal-bits requires --maps");
+    for (const auto& [name, given] : {std::pair{"--directx", options.directx},
+                                      {"--normal-bits", options.normal_bits.has_value()},
+                                      {"--metres", options.metres.has_value()}})
+        if (given)
+            throw RequestError(fmt::format("{} requires --maps", name));
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
@@ -247,7 +268,7 @@ void add_render_command(CLI::App& app) {
     command->footer(R"(
 Examples:
   gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
-  gabor render --material wood --wood.rings 20 --tileable --maps wood
+  gabor render --material wood --wood.rings 20 --metres 0.5 --maps wood
   gabor render --view terrain --preset canyon --png canyon.png --heightmap canyon.r16
 
 `gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
@@ -294,9 +315,15 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
 
     begin_group(*command, "Textures");
     option("--maps", options->maps, "FOLDER",
-           "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
-           "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
-           "and material.gltf");
+           fmt::format(
+               "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base "
+               "colour, normals, height, roughness, metalness and occlusion, one EXR with all of them, and "
+               "material.mtlx, material.gltf and material.json. They tile, and are {0}x{0}, unless "
+               "--no-tileable, --size or --like says otherwise",
+               render::map_side));
+    option(
+        "--metres", options->metres, "NUMBER",
+        "With --maps: their width in metres, to scale the heights too; otherwise a terrain's extent, or 1");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     option("--normal-bits", options->normal_bits, "BITS",
            "With --maps: 8 dithers normals to 8 bits, for programs that do not read all 16");

@@ -190,6 +190,7 @@ std::filesystem::path png_path(const std::filesystem::path& folder, const Png& p
 constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
+constexpr const char* summary_name = "material.json";
 
 image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format) {
     image::ExrHeader header = exr_header(request, whole_of(request), software(device));
@@ -260,27 +261,36 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
     image::ExrWriter exr(folder / exr_name, header_of(device, request, format));
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile gltf(folder / gltf_name);
+    image::OutputFile json(folder / summary_name);
 
     const Maps maps = draw_maps(device, request, advance);
     const std::pair<float, float> heights = maps.heights();
     write_rows(maps, exr, pngs, writers, heights.first, heights.second, advance);
     if (format.texture)
         write_levels(exr, maps);
-    const auto filled = [&](std::string_view text, double unit) {
-        return fmt::format(
-            fmt::runtime(text),
-            fmt::arg("name", has_terrain(request) ? "terrain" : std::string_view(request.material)),
-            fmt::arg("version", GABOR_VERSION), fmt::arg("low", heights.first),
-            fmt::arg("high", heights.second), fmt::arg("width", request.width / unit),
-            fmt::arg("height", request.height / unit));
+    const Terrain* terrain = std::get_if<Terrain>(&request.view);
+    const double extent = terrain ? terrain->extent : 0;
+    const double metres = format.metres.value_or(extent > 0 ? extent : 1);
+    const double unit = extent > 0 ? metres / extent : metres * request.scale / request.width; // of heights
+    std::string name = terrain ? "terrain" : request.material;
+    std::ranges::replace(name, '-', '_'); // as MaterialX requires
+    const auto filled = [&](std::string_view text) {
+        return fmt::format(fmt::runtime(text), fmt::arg("name", name), fmt::arg("version", GABOR_VERSION),
+                           fmt::arg("low", unit * heights.first), fmt::arg("high", unit * heights.second),
+                           fmt::arg("width", metres),
+                           fmt::arg("height", metres * request.height / request.width),
+                           fmt::arg("columns", request.width), fmt::arg("rows", request.height),
+                           fmt::arg("tileable", is_tile(request)));
     };
-    materialx.write(filled(materialx_template, request.scale));
-    gltf.write(filled(gltf_template, std::max(request.width, request.height)));
+    materialx.write(filled(materialx_template));
+    gltf.write(filled(gltf_template));
+    json.write(filled(json_template));
     for (image::PngWriter& writer : writers)
         writer.commit();
     exr.commit();
     materialx.commit();
     gltf.commit();
+    json.commit();
 }
 
 } // namespace
@@ -291,11 +301,25 @@ bool has_maps(const Request& request) {
                    : has_material(request) && std::holds_alternative<Plane>(request.view);
 }
 
+void set_side(Request& request, int side) {
+    request.scale *= static_cast<double>(side) / std::min(request.width, request.height);
+    request.width = request.height = side;
+}
+
+void make_tile(Request& request) {
+    if (auto* terrain = std::get_if<Terrain>(&request.view))
+        terrain->tileable = true;
+    else if (auto* plane = std::get_if<Plane>(&request.view))
+        plane->tileable = true;
+    if (const double least = least_tile(request))
+        request.scale = std::min(request.scale, std::min(request.width, request.height) / least);
+}
+
 std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format) {
     std::vector<std::filesystem::path> paths;
     for (const Png& png : pngs_of(format))
         paths.push_back(png_path(folder, png));
-    for (const char* name : {exr_name, materialx_name, gltf_name})
+    for (const char* name : {exr_name, materialx_name, gltf_name, summary_name})
         paths.push_back(folder / name);
     return paths;
 }

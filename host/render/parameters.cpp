@@ -751,18 +751,17 @@ void check(const Request& request) {
                            "the lobes that came with the colour");
     if (request.colour && is_colourless(request))
         throw RequestError("colours conflict with paint, materials, gradient and phasor");
-    const auto require_sides = [&](std::string_view what, double units, std::string_view described) {
-        const double least = std::ceil(units * request.scale);
+    const auto require_sides = [&](std::string_view what, std::string_view described) {
+        const double least = std::ceil(least_tile(request) * request.scale - 1e-9);
         if (std::min(request.width, request.height) < least)
             throw RequestError(fmt::format(
                 "a {} of {} x {} pixels at scale {} is too small: each side must be at least {}, {} pixels",
                 what, request.width, request.height, request.scale, described, least));
     };
     if (const Terrain* terrain = std::get_if<Terrain>(&request.view); terrain && terrain->tileable)
-        require_sides("terrain tile", 4, "four kernel radii");
+        require_sides("terrain tile", "four kernel radii");
     else if (!terrain && is_tiled(request) && !has_material(request))
         require_sides("tileable picture",
-                      2 * std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius(),
                       request.lobes.size() > 1 ? "two kernel radii of its widest lobe" : "two kernel radii");
 }
 

@@ -3,6 +3,7 @@
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,6 +19,12 @@ std::array<double, 2> light_direction(const Request& request) {
     const double azimuth = noise::radians(std::remainder(request.light_azimuth, 360.0));
     const double along = std::cos(noise::radians(request.light_elevation));
     return {along * std::cos(azimuth), along * std::sin(azimuth)};
+}
+
+double least_tile(const Request& request) {
+    if (has_material(request))
+        return has_terrain(request) ? 4 : 0;
+    return 2 * std::ranges::max(request.lobes, {}, &noise::Lobe::longest_radius).longest_radius();
 }
 
 Request from_above(Request request) {

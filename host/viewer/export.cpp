@@ -3,7 +3,6 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "image/png.hpp"
-#include "render/maps.hpp"
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
 #include "seconds.hpp"
@@ -107,17 +106,22 @@ std::vector<std::filesystem::path> paths_of(const ExportTarget& target) {
     return paths;
 }
 
-render::Request exported(const Document& document, ExportAs as) {
+render::Request exported(const Document& document, const ExportTarget& target) {
     render::Request request = with_output(document.request, document.output);
-    if (as == ExportAs::maps)
+    const bool maps = target.as == ExportAs::maps;
+    if (maps) {
         request = render::from_above(request);
-    request.filter |= as == ExportAs::texture || (as == ExportAs::maps && render::has_material(request) &&
-                                                  !render::has_terrain(request));
+        render::set_side(request, target.map_side);
+        if (target.tileable)
+            render::make_tile(request);
+    }
+    request.filter |= target.as == ExportAs::texture ||
+                      (maps && render::has_material(request) && !render::has_terrain(request));
     return request;
 }
 
 void Exporter::start(const Document& document, const ExportTarget& target) {
-    const render::Request request = exported(document, target.as);
+    const render::Request request = exported(document, target);
     render::check(request);
     if (target.as == ExportAs::texture)
         render::check_texture(request, whole(request));
@@ -136,17 +140,17 @@ std::string Exporter::result() const {
 }
 
 void Exporter::write_noise_maps(const vulkan::Device& device, const Document& document,
-                                const std::filesystem::path& folder,
+                                const ExportTarget& target,
                                 const std::function<void(std::uint64_t)>& advance) const {
+    const std::filesystem::path folder = target.folder;
     const image::OutputFolder created(folder);
     const auto maps = noise_maps(document, document.request.colour.has_value());
     std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
     for (const NoiseMap& map : maps)
-        writers.emplace_back(folder / map.name, document.request.width, document.request.height, map.channels,
-                             map.bits);
+        writers.emplace_back(folder / map.name, target.map_side, target.map_side, map.channels, map.bits);
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const NoiseMap& map = maps[i];
-        const render::Request request = exported(map.shown, ExportAs::maps);
+        const render::Request request = exported(map.shown, target);
         FileColours colours(device, map.shown, render::channels(request), map.normals);
         render::render_region(device, request, whole(request), [&](std::span<const float> values) {
             const std::span<const float> shown = colours.of(values);
@@ -181,9 +185,13 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         target.as == ExportAs::maps && folder.has_parent_path())
         std::filesystem::create_directories(folder.parent_path());
     if (target.as == ExportAs::maps && target.of_noise) {
-        write_noise_maps(device, document, target.folder, advance);
+        write_noise_maps(device, document, target, advance);
     } else if (target.as == ExportAs::maps) {
-        render::render_maps(device, request, target.folder, {.directx = target.directx}, advance);
+        render::render_maps(
+            device, request, target.folder,
+            {.directx = target.directx,
+             .metres = render::has_terrain(request) ? std::nullopt : std::optional(target.metres)},
+            advance);
     } else if (target.as == ExportAs::texture) {
         render::render_texture(device, request, whole(request), *all.front().exr, target.half, advance);
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/file.hpp"
+#include "render/maps.hpp"
 #include "viewer/background.hpp"
 #include "viewer/document.hpp"
 
@@ -44,8 +45,11 @@ struct ExportTarget {
     bool coloured = false; ///< whether the noise has the colours of a photograph
     bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
-    bool half = false;    ///< store a texture as 16-bit floats
-    bool directx = false; ///< with maps, also write normals whose green points down
+    bool half = false;               ///< store a texture as 16-bit floats
+    bool directx = false;            ///< with maps, also write normals whose green points down
+    int map_side = render::map_side; ///< sides of maps, in pixels
+    bool tileable = true;            ///< whether maps tile
+    double metres = 1;               ///< the width of a material's maps; a terrain has an extent
 
     /// Returns this target with `path`, `folder`, `as`, `of_noise` and `coloured` set for the document.
     ExportTarget of(const Document& document) const;
@@ -62,7 +66,7 @@ std::vector<render::Files> files_of(const ExportTarget& target);
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target);
 
 /// The request that an export renders.
-render::Request exported(const Document& document, ExportAs as);
+render::Request exported(const Document& document, const ExportTarget& target);
 
 /// Renders files in the background on its own logical device, with the same pixels as `gabor render`.
 class Exporter {
@@ -86,8 +90,7 @@ class Exporter {
     }
 
   private:
-    void write_noise_maps(const vulkan::Device& device, const Document& document,
-                          const std::filesystem::path& folder,
+    void write_noise_maps(const vulkan::Device& device, const Document& document, const ExportTarget& target,
                           const std::function<void(std::uint64_t)>& advance) const;
     void run(const Document& document, const ExportTarget& target, const render::Request& request);
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -339,27 +340,45 @@ void export_panel(Session& session) {
     const std::size_t forms = can_export_maps(request) ? std::size(exports) : std::size(exports) - 1;
     if (choose("kind", as, std::span(exports).first(forms), export_tips))
         target.chosen = as;
-    controls(session, {"width", "height"});
-    for (const auto& [label, factor] : {std::pair("half size", 0.5), std::pair("double size", 2.0)}) {
-        if (ImGui::Button(label, {half, 0}))
-            attempt(session, [&, by = factor] { resize(session.document(), by); });
-        tooltip("Change the pixels of the picture, but not what it shows");
-        ImGui::SameLine();
+    if (as == ExportAs::maps) {
+        int power = std::bit_width(static_cast<unsigned>(target.map_side)) - 1;
+        if (ImGui::SliderInt("side", &power, 8, 13, fmt::format("{} pixels", target.map_side).c_str()))
+            target.map_side = 1 << std::clamp(power, 8, 13);
+        tooltip("The maps are square, and show as much as the shorter side of the picture");
+    } else {
+        controls(session, {"width", "height"});
+        for (const auto& [label, factor] : {std::pair("half size", 0.5), std::pair("double size", 2.0)}) {
+            if (ImGui::Button(label, {half, 0}))
+                attempt(session, [&, by = factor] { resize(session.document(), by); });
+            tooltip("Change the pixels of the picture, but not what it shows");
+            ImGui::SameLine();
+        }
+        ImGui::NewLine();
     }
-    ImGui::NewLine();
     if (as == ExportAs::frames) {
         auto frames = static_cast<float>(target.frames);
         slider("frames", frames, 2, 240, "%.0f");
         target.frames = std::clamp(static_cast<int>(frames), 1, render::most_frames);
     }
     if (as == ExportAs::maps && render::has_material(request)) {
+        if (!render::has_terrain(request)) {
+            ImGui::InputDouble("metres", &target.metres, 0, 0, "%g");
+            target.metres = std::clamp(target.metres, 1e-6, 1e9);
+            tooltip("The width of the maps in metres, which also scales their heights");
+        }
         ImGui::Checkbox("DirectX normals", &target.directx);
         tooltip("Also write normal_directx.png, whose green points down");
     }
-    if (as == ExportAs::maps || as == ExportAs::texture)
+    if (as == ExportAs::maps) {
+        if (render::has_material(request))
+            ImGui::SameLine();
+        ImGui::Checkbox("tileable##maps", &target.tileable);
+        tooltip("Opposite edges match");
+    }
+    if (as == ExportAs::texture) {
         control(session, "tileable");
-    if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
+    }
     if (as == ExportAs::picture || as == ExportAs::frames) {
         ImGui::Checkbox("also write PNG", &target.png);
         tooltip("A PNG beside the EXR that looks like the window");

@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 188e84c5a648aebf.
+// naga 30.0.1 made it from GLSL with the digest 471a64972bfe955a.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -119,13 +119,13 @@ fn gabor_impl_joints(x: f32, size: f32, gap: f32, wide: f32) -> vec2<f32> {
 
 // Indices from 0 to count - 1; any indices if count is 0.
 fn gabor_impl_board_index(index: vec2<f32>, count: vec2<f32>) -> vec2<f32> {
-    var local_84: vec2<f32>;
+    var local_85: vec2<f32>;
     if (count.x > 0f) {
-        local_84 = (index - (count * floor((index / count))));
+        local_85 = (index - (count * floor((index / count))));
     } else {
-        local_84 = index;
+        local_85 = index;
     }
-    let _e10 = local_84;
+    let _e10 = local_85;
     return _e10;
 }
 
@@ -134,14 +134,14 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var count_13: vec2<f32> = vec2(0f);
     var at_13: vec2<f32>;
     var line_6: vec2<f32>;
-    var local_85: vec2<f32>;
+    var local_86: vec2<f32>;
     var cell_5: vec2<f32>;
     var index_15: vec2<f32>;
-    var local_86: vec2<f32>;
+    var local_87: vec2<f32>;
     var salt_16: u32;
     var word_6: u32;
     var random: u32;
-    var local_87: vec2<f32>;
+    var local_88: vec2<f32>;
     var turn_16: vec2<f32>;
     var back_1: vec2<f32>;
     var wide_3: vec2<f32>;
@@ -170,12 +170,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e38 = size_4;
     if (_e36.x > _e38.y) {
         let _e42 = line_6;
-        local_85 = vec2<f32>(fract((boards.shift * _e42.y)), 0f);
+        local_86 = vec2<f32>(fract((boards.shift * _e42.y)), 0f);
     } else {
         let _e50 = line_6;
-        local_85 = vec2<f32>(0f, fract((boards.shift * _e50.x)));
+        local_86 = vec2<f32>(0f, fract((boards.shift * _e50.x)));
     }
-    let _e56 = local_85;
+    let _e56 = local_86;
     at_13 = (_e35 + _e56);
     let _e58 = at_13;
     cell_5 = floor(_e58);
@@ -186,7 +186,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e65 = at_13;
     let _e66 = cell_5;
     let _e71 = size_4;
-    local_86 = (((_e65 - _e66) - vec2(0.5f)) * _e71);
+    local_87 = (((_e65 - _e66) - vec2(0.5f)) * _e71);
     let _e74 = gabor_impl_salt(seed);
     salt_16 = _e74;
     let _e76 = index_15;
@@ -201,11 +201,11 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     random = _e92;
     let _e94 = random;
     if (f32((_e94 & 65535u)) < (65536f * boards.turns)) {
-        local_87 = vec2<f32>(0f, 1f);
+        local_88 = vec2<f32>(0f, 1f);
     } else {
-        local_87 = vec2<f32>(1f, 0f);
+        local_88 = vec2<f32>(1f, 0f);
     }
-    let _e109 = local_87;
+    let _e109 = local_88;
     turn_16 = _e109;
     let _e111 = turn_16;
     let _e113 = turn_16;
@@ -218,12 +218,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e135 = boards_wide;
     let _e137 = boards_wide;
     mean_9 = exp((-19.739208f * max(_e135.x, _e137.y)));
-    let _e143 = local_86;
+    let _e143 = local_87;
     let _e145 = size_4;
     let _e148 = wide_3;
     let _e150 = gabor_impl_joints(_e143.x, _e145.x, boards.gap, _e148.x);
     across_4 = _e150;
-    let _e152 = local_86;
+    let _e152 = local_87;
     let _e154 = size_4;
     let _e157 = wide_3;
     let _e159 = gabor_impl_joints(_e152.y, _e154.y, boards.gap, _e157.y);
@@ -231,7 +231,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e162 = across_4;
     let _e164 = along_4;
     free = (vec2(1f) - vec2<f32>(_e162.x, _e164.x));
-    let _e170 = local_86;
+    let _e170 = local_87;
     let _e171 = back_1;
     let _e172 = gabor_impl_product(_e170, _e171);
     let _e173 = back_1;

@@ -1197,7 +1197,9 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 GABOR_INLINE GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
     GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
-    at = gabor_impl_warp(pixel, at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), seed, 2 * i);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
+    at = gabor_impl_warp(pixel, at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 630b88555d2b27d2.
+// naga 30.0.1 made it from GLSL with the digest aa765cc2d73c4453.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -3316,17 +3316,29 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
     var angle_1: f32;
     var at_11: GaborWarped;
+    var local_79: f32;
+    var bend_1: f32;
     angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
     let _e17 = gabor_impl_unwarped(pixel);
     let _e18 = angle_1;
     let _e19 = gabor_impl_turned(_e17, _e18);
     at_11 = _e19;
     let _e21 = at_11;
-    let _e30 = gabor_impl_warp(pixel, _e21, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), seed, (2i * i));
-    at_11 = _e30;
-    let _e32 = at_11;
-    let _e47 = gabor_impl_spots_layer(0i, _e32, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
-    return _e47;
+    if (_e21.period.y > 0f) {
+        let _e28 = at_11;
+        local_79 = min(0.17f, (0.02f * _e28.period.y));
+    } else {
+        local_79 = 0.17f;
+    }
+    let _e35 = local_79;
+    bend_1 = _e35;
+    let _e37 = at_11;
+    let _e42 = bend_1;
+    let _e46 = gabor_impl_warp(pixel, _e37, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e42), seed, (2i * i));
+    at_11 = _e46;
+    let _e48 = at_11;
+    let _e63 = gabor_impl_spots_layer(0i, _e48, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
+    return _e63;
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -3729,9 +3741,9 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWa
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
-    var local_79: vec2<f32>;
     var local_80: vec2<f32>;
     var local_81: vec2<f32>;
+    var local_82: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
@@ -3740,23 +3752,23 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         return _e15;
     }
     if (i == 4i) {
-        local_81 = vec2<f32>(0.1f, 0.33333334f);
+        local_82 = vec2<f32>(0.1f, 0.33333334f);
     } else {
         if (i == 5i) {
-            local_80 = vec2<f32>(0.14f, 1f);
+            local_81 = vec2<f32>(0.14f, 1f);
         } else {
             if (i == 6i) {
-                local_79 = vec2<f32>(0.25f, 2.8333333f);
+                local_80 = vec2<f32>(0.25f, 2.8333333f);
             } else {
-                local_79 = vec2<f32>(0.6f, 8.333333f);
+                local_80 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_79;
-            local_80 = _e35;
+            let _e35 = local_80;
+            local_81 = _e35;
         }
-        let _e37 = local_80;
-        local_81 = _e37;
+        let _e37 = local_81;
+        local_82 = _e37;
     }
-    let _e39 = local_81;
+    let _e39 = local_82;
     density_8 = _e39;
     let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
@@ -3900,8 +3912,8 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
     var pixel_45: GaborPixel;
     var cloth_6: GaborWarped;
-    var local_82: f32;
     var local_83: f32;
+    var local_84: f32;
     var count_10: vec2<f32>;
     var of_20: GaborPairs;
     var i_37: i32 = 0i;
@@ -3912,17 +3924,17 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     cloth_6 = _e9;
     let _e11 = pixel_45;
     if (fabric.weave < 0.5f) {
-        local_83 = 2f;
+        local_84 = 2f;
     } else {
         if (fabric.weave < 1.5f) {
-            local_82 = 4f;
+            local_83 = 4f;
         } else {
-            local_82 = 16f;
+            local_83 = 16f;
         }
-        let _e23 = local_82;
-        local_83 = _e23;
+        let _e23 = local_83;
+        local_84 = _e23;
     }
-    let _e25 = local_83;
+    let _e25 = local_84;
     let _e26 = gabor_impl_repeated(_e11, fabric.threads, _e25);
     count_10 = _e26;
     let _e28 = gabor_impl_no_pairs();

@@ -1,6 +1,8 @@
 """Tests `gabor render --maps`, which writes a material's maps for other programs."""
 
 import json
+import pathlib
+import subprocess
 import unittest
 from xml.etree import ElementTree
 
@@ -10,9 +12,18 @@ from exr import Exr, Texture
 from png import read_colour_png, read_deep_colour_png, read_deep_png, read_grey_png
 from program import RenderTest
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
-         "material.mtlx", "material.gltf"}
+         "material.mtlx", "material.gltf", "material.json"}
 WIDTH, HEIGHT = 96, 64
+VALIDATE = """
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+const [folder, validator] = process.argv.slice(1), read = name => new Uint8Array(readFileSync(`${folder}/${name}`));
+const report = await createRequire(import.meta.url)(validator).validateBytes(read("material.gltf"),
+    { externalResourceFunction: async name => read(name) });
+console.log(JSON.stringify(report.issues.messages.filter(message => message.severity < 2))); // errors and warnings
+"""
 
 
 def encoded(light):
@@ -21,7 +32,7 @@ def encoded(light):
 
 class Maps(RenderTest):
     def maps(self, *options, material="bark"):
-        self.succeed("render", "--material", material, f"--size={WIDTH}x{HEIGHT}", "--maps", "set", *options)
+        self.succeed("render", "--material", material, f"--size={WIDTH}x{HEIGHT}", "--maps", "set", "--no-tileable", *options)
         folder = self.folder / "set"
         channels = Exr(folder / "maps.exr").channels
         return folder, {name: values.astype(float) for name, values in channels.items()}
@@ -66,6 +77,16 @@ class Maps(RenderTest):
                 seam = np.abs(values.take(0, axis) - values.take(-1, axis)).mean()
                 self.assertLessEqual(seam, 1.6 * np.abs(np.diff(values, axis=axis)).mean(), name)
 
+    def test_scratches_of_a_tile_are_as_thin_as_others(self):
+        """Measures the largest square within scratches, in pixels."""
+        for option in ("--tileable", "--no-tileable"):
+            self.succeed("render", "--material=scratches", "--seed=5", "--size=384", "--scale=96", option, "--maps", "set")
+            inside, side = Exr(self.folder / "set/maps.exr").channels["height"] < -0.25 * 0.0025, 0
+            while inside.any():
+                inside, side = inside[:-1, :-1] & inside[1:, :-1] & inside[:-1, 1:] & inside[1:, 1:], side + 1
+            print(f"{option}: {side}")
+            self.assertLessEqual(side, 5, option)
+
     def test_directx(self):
         folder, maps = self.maps("--directx")
         ours, theirs = (read_deep_colour_png(folder / f"{name}.png") for name in ("normal", "normal_directx"))
@@ -86,17 +107,59 @@ class Maps(RenderTest):
         folder, maps = self.maps("--bark.depth=0.2")
         scene = json.loads((folder / "material.gltf").read_text())
         self.assertEqual({image["uri"] for image in scene["images"]}, {"base_color.png", "normal.png", "orm.png"})
-        height = scene["materials"][0]["extras"]["height"]
-        np.testing.assert_allclose((height["low"], height["high"]), (maps["height"].min(), maps["height"].max()), rtol=1e-6)
-        parameters = Exr(folder / "maps.exr").parameters
-        self.assertEqual(parameters["bark.depth"], 0.2)
-        np.testing.assert_allclose(scene["nodes"][0]["scale"], (1, HEIGHT / WIDTH, 1), rtol=1e-8)
-        text = (folder / "material.mtlx").read_text()
-        self.assertIn(f"{height['low']:.9g} to {height['high']:.9g}, for a picture {WIDTH / parameters['scale']:g} wide", text)
-        document = ElementTree.fromstring(text)
+        self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
+        document = ElementTree.fromstring((folder / "material.mtlx").read_text())
         files = {each.get("value") for each in document.iterfind(".//input[@name='file']")}
-        self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png"})
+        self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png", "height.png"})
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
+
+    def test_documents_state_the_size_and_the_heights_in_metres(self):
+        for options, metres in (([], 1), (["--metres=0.2"], 0.2)):
+            folder, maps = self.maps(*options)
+            wide = WIDTH / Exr(folder / "maps.exr").parameters["scale"]
+            self.assert_metres(folder, (metres, metres * HEIGHT / WIDTH), maps["height"] * metres / wide)
+        for options, metres in (([], 8000), (["--metres=2"], 2)):
+            self.succeed("render", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "--maps", "land", *options)
+            heights = Exr(self.folder / "land/maps.exr").channels["height"]
+            self.assert_metres(self.folder / "land", (metres, metres), heights * (metres / 8000))
+
+    def assert_metres(self, folder, size, heights):
+        """Checks the sizes and ranges of heights that all three documents state."""
+        described = json.loads((folder / "material.json").read_text())
+        scene = json.loads((folder / "material.gltf").read_text())
+        document = ElementTree.parse(folder / "material.mtlx")
+
+        def values(name):
+            return [[float(number) for number in each.get("value").split(",")] for each in document.iterfind(f".//input[@name='{name}']")]
+
+        for found in (described["metres"], scene["nodes"][0]["scale"][:2], *values("realworldimagesize"), *values("realworldtilesize")):
+            np.testing.assert_allclose(found, size, rtol=1e-6)
+        for low, high in ((described["height"]["low"], described["height"]["high"]), (values("outlow")[0][0], values("outhigh")[0][0]),
+                          [scene["materials"][0]["extras"]["height"][end] for end in ("low", "high")]):
+            np.testing.assert_allclose((low, high), (heights.min(), heights.max()), rtol=1e-5)
+
+    def test_maps_tile_and_have_2048_pixels_unless_asked_for_otherwise(self):
+        def described(*options):
+            self.succeed("render", "--maps", "set", *options)
+            facts = json.loads((self.folder / "set/material.json").read_text())
+            return *facts["pixels"], facts["tileable"], Exr(self.folder / "set/maps.exr").parameters["scale"]
+
+        self.assertEqual(described("--material=strata"), (2048, 2048, True, 512))
+        self.assertEqual(described("--material=strata", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
+        self.assertEqual(described("--preset=hills", "--size=64")[:3], (64, 64, True))  # a landscape, from above
+        self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
+        self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
+
+    def test_documents_are_valid(self):
+        gltf = ROOT / "tests/engines/three/node_modules/gltf-validator"
+        mxvalidate = ROOT / "build/venv/bin/mxvalidate"
+        if missing := [path.name for path in (gltf, mxvalidate) if not path.exists()]:
+            self.skipTest(f"not installed: {', '.join(missing)}; tools/test-engines three materialx-glsl installs them")
+        folder, _ = self.maps(material="brushed-metal")  # a name with a hyphen
+        valid = subprocess.run([mxvalidate, folder / "material.mtlx"], capture_output=True, text=True).stdout
+        self.assertIn("is a valid MaterialX document", valid)
+        report = subprocess.run(["node", "--input-type=module", "--eval", VALIDATE, folder, gltf], capture_output=True, text=True)
+        self.assertEqual(json.loads(report.stdout), [], report.stderr)
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
         """Compares the GGX highlight on each pixel of a mip level with the mean highlight on the fine pixels that it covers."""
@@ -137,7 +200,8 @@ class Maps(RenderTest):
         self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
         self.assert_refused(["--half requires --texture"], "render", "--material=wood", "--maps", "set", "--half")
         self.assertEqual(self.files(), {})
-        for option in ("--directx", "--normal-bits=8"):
+        self.assert_refused(["--metres '-1': expected a width above 0"], "render", "--material=wood", "--maps", "set", "--metres=-1")
+        for option in ("--directx", "--normal-bits=8", "--metres=2"):
             self.assert_refused([f"{option.partition('=')[0]} requires --maps"], "render", "--material=wood", "-o", "a.exr", option)
         self.assert_refused(["--normal-bits '12': expected 8 or 16"], "render", "--material=wood", "--maps", "set", "--normal-bits=12")
         (self.folder / "file").write_text("mine")

@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import runpy
 import shutil
 import struct
 import subprocess
@@ -22,6 +23,7 @@ from scene import ROOT, SHADERS, in_cpp  # noqa: E402
 from version import VERSION  # noqa: E402
 
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
+MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
 
 
@@ -70,6 +72,15 @@ class Package(Folder):
         name = self.name or type(self).__name__.lower()
         self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
 
+    def assert_npm_accepts_it(self):
+        """Runs npm's checks before publishing. They mend a bad package.json of an unpacked package, and say so."""
+        if not shutil.which("npm"):
+            self.skipTest("not installed: npm")
+        self.unpack()
+        said = subprocess.run(["npm", "publish", "--dry-run", "--offline", self.folder / "package"], capture_output=True, text=True, timeout=100)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertNotRegex(said.stderr, "auto-corrected|warn package-json")
+
     def unpack(self):
         """Unpacks the archive below self.folder."""
         archive, = self.archives
@@ -84,6 +95,9 @@ class Npm(Package):
     tests/dialects/test_nodes.py."""
 
     tools = "node", "npm", "glslangValidator"
+
+    def test_can_be_published(self):
+        self.assert_npm_accepts_it()
 
     def test_installs_and_is_imported(self):
         three = self.folder / "three"  # a substitute for three.js
@@ -242,12 +256,14 @@ class Node(Package):
         self.unpack()
         root = self.folder / self.place
         files = named(root.rglob("*"), root)
-        self.assertEqual(files, tracked(source) | set(self.copied) | {"LICENSE"} | set(self.made(root)))
+        self.assertEqual(files, tracked(source) | set(self.copied) | {"LICENSE", "README.md"} | set(self.made(root)))
+        self.assert_readme(root)
         self.assertLessEqual(set(self.included), files)
         for name, original in (self.copied | {"LICENSE": "../LICENSE"}).items():
             self.assertTrue((root / name).read_bytes() == (SHADERS / original).read_bytes(), name)
-        for name in tracked(source):
+        for name in tracked(source) - {"README.md"}:
             wanted, packaged = (source / name).read_bytes().replace(b"@VERSION@", VERSION.encode()), (root / name).read_bytes()
+            wanted = re.sub(b".*@REPOSITORY@.*\n", b"", wanted)
             for original in self.included.get(name, []):
                 text = self.text(original)
                 self.assertTrue(self.quoted(text) in packaged, f"{name} lacks {original}")
@@ -255,7 +271,14 @@ class Node(Package):
                 path = os.path.relpath(SHADERS / original, (source / name).parent)
                 wanted = wanted.replace(self.quoted(f'#include "{path}"\n'.encode()), b"")
             self.assertTrue(packaged == wanted, name)
-            self.assertFalse(re.search(rb'#include "\.\.|@VERSION@', packaged), name)
+            self.assertFalse(re.search(rb'#include "\.\.|@(VERSION|REPOSITORY)@', packaged), name)
+
+    def assert_readme(self, root):
+        """Checks that the README names its licence and authors, and that its links lead somewhere."""
+        text = (root / "README.md").read_text()
+        self.assertIn("MIT license, by the gabor-noise authors", text)
+        for link in re.findall(r"\]\(([^)#]+)", text):
+            self.assertTrue("://" in link or (root / link).exists(), link)
 
     def text(self, original):
         return (SHADERS / original).read_bytes()
@@ -269,14 +292,14 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "ocean",
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose", "erosion", "ocean",
                                                   "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
     def made(self, root):
         """Checks that each module is its translation, and imports what it uses from the modules that define it. Without
         imports, the modules together are one valid shader."""
-        modules = {module: (root / f"{module}.wgsl").read_text() for module in self.MODULES}
+        modules = {module: (root / "src" / f"{module}.wgsl").read_text() for module in self.MODULES}
         code = {}
         for module, text in modules.items():
             *head, code[module] = re.fullmatch(r"(#define_import_path gabor_noise::\w+\n)((?:#import .*\n)*)\n((?:.*\n)*)", text).groups()
@@ -294,7 +317,17 @@ class Bevy(Node):
             whole = self.folder / "whole.wgsl"
             whole.write_text("\n".join(code.values()))
             run("naga", whole)
-        return [f"{module}.wgsl" for module in modules]
+        self.assertEqual(set(re.findall(r'load_shader_library!\(app, "(\w+).wgsl"\)', (root / "src" / "lib.rs").read_text())), set(modules))
+        return [f"src/{module}.wgsl" for module in modules]
+
+    def test_crate_can_be_published_and_loads_its_modules(self):
+        if not shutil.which("cargo"):
+            self.skipTest("not installed: cargo")
+        self.unpack()
+        if subprocess.run(["cargo", "fetch", "--offline"], cwd=self.folder, capture_output=True).returncode != 0:
+            self.skipTest("Bevy's crates are not installed: cargo fetch in build/packages/staged/bevy")
+        for command in ("package", "test"):  # cargo publish --dry-run is cargo package with a look into the registry
+            run("cargo", command, "--offline", "--target-dir", ROOT / "build" / "bevy", cwd=self.folder)
 
 
 class Blender(Node):
@@ -311,6 +344,9 @@ class Blender(Node):
         for name in ("name", "maintainer", "blender_version_min", "license"):
             self.assertTrue(manifest[name], name)
         compile((self.folder / "__init__.py").read_text(), "__init__.py", "exec")
+        if not (validators := [*ROOT.glob("build/blender/lib/*/site-packages/bpy/*/scripts/addons_core/bl_pkg/cli/blender_ext.py")]):
+            self.skipTest("Blender is not installed: tools/test-engines blender")
+        run(sys.executable, "-B", validators[0], "validate", self.archives[0])
 
 
 class Cpp(Node):
@@ -359,6 +395,16 @@ class MaterialX(Node):
             self.assertLessEqual(functions[source], functions[made] & functions[mdl])
         return [str(path.relative_to(root)) for path in (mdl, *osl)]
 
+    def test_library_is_valid(self):
+        """Validates all files of the library as one document, since graphs name definitions of other files."""
+        if not MXVALIDATE.exists():
+            self.skipTest("mxvalidate is not installed: tools/test-engines materialx-glsl")
+        files = [name for name in sorted(self.unpack()) if name.endswith(".mtlx")]
+        whole = self.folder / "whole.mtlx"
+        whole.write_text('<materialx version="1.39" xmlns:xi="http://www.w3.org/2001/XInclude">'
+                         + "".join(f'<xi:include href="{name}"/>' for name in files) + "</materialx>")
+        self.assertIn("is a valid MaterialX document", run(MXVALIDATE, whole))
+
 
 class Osl(Node):
     included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
@@ -386,6 +432,7 @@ class Unity(Node):
         self.assertEqual(len(ids), len(set(ids)))
         for include in re.findall(r'#include "([^"]+)"', (root / "GaborNoise.hlsl").read_text()):
             self.assertTrue((root / include).exists(), include)
+        self.assert_npm_accepts_it()
 
 
 PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
@@ -544,6 +591,14 @@ class Release(Folder):
             self.assertEqual(made.returncode, 0, made.stderr)
             self.assertIn(f"[Live page]({address})", (self.folder / "README.md").read_text())
             self.assertIn(f'content="{address}card.jpg"', (self.folder / "docs/demo/index.html").read_text())
+
+    def test_commands_publish_the_packages(self):
+        commands = runpy.run_path(str(ROOT / "tools" / "release"))["PUBLISH"]
+        named = set(re.findall(r"build/packages/\S+(?:\.tgz|\.zip|\.toml)", commands))
+        for name in ("npm", "unity", "bevy", "blender", "godot", "materialx"):
+            run(sys.executable, "-B", ROOT / "tools" / "package", name)
+        self.assertEqual([path for path in named if not (ROOT / path).exists()], [])
+        self.assertEqual(len(named), 6)
 
     def test_sets_the_version_everywhere(self):
         if not shutil.which("naga"):

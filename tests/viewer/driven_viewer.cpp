@@ -5,6 +5,7 @@
 //     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
 //     resize FACTOR                       all pixels of the picture
 //     open FILE | save FILE | copy FILE   copy writes the clipboard's text to the file
+//     maps SIDE                           the sides of exported maps
 //     export FILE | screenshot FILE | window FILE    screenshot: the picture; window: also the panels
 //     quit
 
@@ -135,6 +136,8 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
     } else if (name == "export") {
         session.export_target.path = rest;
         start_export(session);
+    } else if (name == "maps") {
+        session.export_target.map_side = std::stoi(rest);
     } else if (name == "screenshot") {
         app.save_picture(rest);
     } else if (name == "window") {

@@ -115,13 +115,16 @@ class Workshop(EventsTest):
             preset = self.preset(f"{name}.json", width=64, height=48, seed=5, **parameters)
             self.open(*WINDOW, preset)
             self.show_exports()
+            self.command("maps 64")
             self.click(820, 671) # Export now
             self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])
+            # As much as the shorter side showed. A tile of mountains shows at least four kernel radii.
             from_above = ["--view=terrain"] if name == "valley" else []
-            self.gabor("render", "--like", preset, *from_above, "--maps", "expected")
+            self.gabor("render", "--like", preset, *from_above, "--size=64", f"--scale={parameters['scale'] * (64 / 48)!r}", "--tileable",
+                       "--maps", "expected")
             names = sorted(path.name for path in (self.folder / "expected").iterdir())
             self.assertEqual(sorted(path.name for path in (self.folder / name).iterdir()), names)
-            self.assertEqual(len(names), 10)
+            self.assertEqual(len(names), 11)
             for each in names:
                 self.assertEqual(self.read(f"{name}/{each}"), self.read(f"expected/{each}"), each)
             self.click(820, 671) # an export may overwrite its own files
@@ -137,6 +140,7 @@ class Workshop(EventsTest):
     def test_exports_have_the_name_of_their_document_and_ask_before_they_replace_another(self):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
         self.show_exports()
+        self.command("maps 64")
         self.keys("ctrl+e")
         self.exported()
         steel = self.read("steel/base_color.png")
@@ -183,21 +187,24 @@ class Workshop(EventsTest):
         self.close()
 
     def test_the_noise_of_a_photograph_has_a_map(self):
-        preset = self.preset("cloth.json", width=96, height=64, scale=32, seed=2, **COLOURED, viewer={"output": "value"})
+        preset = self.preset("cloth.json", width=64, height=64, scale=32, seed=2, **COLOURED, viewer={"output": "value"})
         self.open(*WINDOW, preset)
         self.show_exports()
+        self.command("maps 64")
         self.export_as(MAPS)
-        self.gabor("render", "--like", preset, "-o", "expected.exr", "--png", "expected.png")
+        # A tile shows at least two radii of the widest lobe.
+        self.gabor("render", "--like", preset, "--tileable", f"--scale={64 / 3!r}", "-o", "expected.exr", "--png", "expected.png")
         self.assertEqual([path.name for path in (self.folder / "cloth").iterdir()], ["base_color.png"])
         off = read_colour_png(self.folder / "cloth/base_color.png") - read_colour_png(self.folder / "expected.png")
         self.assertLessEqual(np.abs(off).max(), 1)
         self.close()
 
     def test_stripes_have_maps(self):
-        preset = self.preset("corduroy.json", width=96, height=64, scale=32, frequency=3, seed=2, tileable=True,
+        preset = self.preset("corduroy.json", width=64, height=64, scale=32, frequency=3, seed=2, tileable=True,
                              viewer={"output": "lit stripes", "colours": "ember", "contrast": 1, "normals": "OpenGL"})
         self.open(*WINDOW, preset)
         self.show_exports()
+        self.command("maps 64")
         self.export_as(MAPS)
         self.assertEqual(sorted(path.name for path in (self.folder / "corduroy").iterdir()),
                          ["base_color.png", "height.png", "normal.png"])

@@ -30,7 +30,7 @@ FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec
 
 
 def compiled(source, spirv):
-    modules = (source.with_name(f"{module}.wgsl") for module in MODULES)
+    modules = (source.parent / "src" / f"{module}.wgsl" for module in MODULES)
     subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *modules], check=True)
     subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)  # lavapipe compiles naga's loops slowly
 

@@ -9,7 +9,7 @@ const HEIGHT: u32 = 384;
 
 fn main() {
     let mut composer = Composer::default();
-    for source in [include_str!("../../noise.wgsl"), include_str!("../../direction.wgsl")] {
+    for source in [include_str!("../../src/noise.wgsl"), include_str!("../../src/direction.wgsl")] {
         let module = ComposableModuleDescriptor { source, ..Default::default() };
         composer.add_composable_module(module).expect("a module");
     }
