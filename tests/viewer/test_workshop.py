@@ -55,12 +55,12 @@ class Workshop(EventsTest):
         self.resize(640, 480)
         self.keys("p")
         self.point(200, 200)
-        self.xdotool("click", "--repeat", 40, "--delay", 1, 5)
+        self.xdotool("click", "--repeat", 80, "--delay", 1, 5)
         self.frames(3)
         self.click(100, 420)
         self.assertEqual(pathlib.Path(self.state["path"]).name, "storm.json")
         # The search finds words of names and groups.
-        for search, opened in (("copper weath", "weathered-copper"), ("snow mountains", "alps"), ("cloth herringbone", "herringbone")):
+        for search, opened in (("copper weath", "weathered-copper"), ("snow mountains", "alps"), ("dark oak planks", "oak-planks"), ("cloth herringbone", "herringbone")):
             self.keys("p")
             self.frames(3)
             self.xdotool("type", search)
