@@ -192,6 +192,7 @@ void render_map_set(const RenderOptions& options) {
     };
     render::Request& request = work.request;
     request = render::from_above(request);
+    render::check_maps(request);
     if (!options.size && !options.like) {
         const double scale = request.scale;
         render::set_side(request, render::map_side);

@@ -301,6 +301,12 @@ bool has_maps(const Request& request) {
                    : has_material(request) && std::holds_alternative<Plane>(request.view);
 }
 
+void check_maps(const Request& request) {
+    if (!has_maps(request))
+        throw RequestError(
+            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
+}
+
 void set_side(Request& request, int side) {
     request.scale *= static_cast<double>(side) / std::min(request.width, request.height);
     request.width = request.height = side;
@@ -326,9 +332,7 @@ std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder
 
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const image::Advance& advance) {
-    if (!has_maps(request))
-        throw RequestError(
-            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
+    check_maps(request);
     if (std::max(request.width, request.height) > most_map_side)
         throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
                                        request.width, request.height, most_map_side, most_map_side));

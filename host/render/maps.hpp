@@ -32,6 +32,9 @@ extern const std::string_view materialx_template, gltf_template, json_template;
 /// Tells whether the request has maps: a material in the plane, or terrain from above.
 bool has_maps(const Request& request);
 
+/// Throws RequestError if the request has no maps.
+void check_maps(const Request& request);
+
 /// Makes the picture square, with as much in it as its shorter side showed.
 void set_side(Request& request, int side);
 

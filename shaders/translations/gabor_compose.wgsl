@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 471a64972bfe955a.
+// naga 30.0.1 made it from GLSL with the digest 62a6f00ab6288058.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -19,8 +19,9 @@
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
 //
-// The slope of the result remains the derivative of its height. A board costs as much as four hashes, the others
-// nothing to speak of. For filtered materials, `softness` should not be less than the heights differ within a pixel.
+// The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
+// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the heights
+// differ within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 

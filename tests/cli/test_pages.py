@@ -23,7 +23,7 @@ ENGINES = (ROOT / "docs" / "engines.md").read_text()
 
 class Readme(ProgramTest):
     def test_its_example_is_a_typical_picture(self):
-        example = re.search(r"(?m)^ +build/demo/gabor (render .*) -o noise\.exr$", README)[1]
+        example = re.search(r"(?m)^ +build/demo/gabor (render .*) -o noise\.png$", README)[1]
         self.succeed(*example.split(), "-o", "noise.exr")
         pixels = Exr(self.folder / "noise.exr").pixels.astype(float)
         for power, truth in ((1, 0), (2, 1), (3, 0), (4, 3)):

@@ -20,7 +20,7 @@ LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"freq
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
 # Parameters that only some requests have.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
-           "light_elevation": 38, "environment": "room"}
+           "light_elevation": 38, "environment": "room", "boards": False}
 
 
 class Materials(RenderTest):
@@ -130,7 +130,7 @@ class Like(RenderTest):
         every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30"], ["--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark"]]
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.width=0.8"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
