@@ -78,8 +78,11 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
             render::set(several, "lobes", std::vector<noise::Lobe>(3));
         std::vector<Request> starts{of_view(view), several};
         for (const std::string_view material : render::materials) {
-            starts.push_back(of_view(view));
-            starts.back().material = material;
+            for (const bool boards : {false, true}) {
+                starts.push_back(of_view(view));
+                starts.back().material = material;
+                starts.back().boards = boards;
+            }
         }
         for (const Request& start : starts) {
             for (const Parameter& parameter : render::parameters()) {
