@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import numpy as np
 
@@ -96,7 +97,13 @@ import * as gabor from "./gabor_noise.mjs";
 const points = Array.from({ length: 256 * 32 }, (_, i) => i);
 const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
-const functions = (await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p);
+const field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(4, 0.7854), 7);
+const surface = { normal: gabor.gabor_normal(field.gradient, p, 0.05), slope: field.gradient };
+const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p),
+                    ...Object.fromEntries(["normal.x", "normal.y", "normal.z", "slope.x", "slope.y"].map(name => {
+                        const [of, part] = name.split(".");
+                        return [name, surface[of][part]];
+                    })) };
 writeFileSync(process.argv[2], Buffer.concat(Object.values(functions).map(value => Buffer.from(value.parts[0].buffer))));
 console.log(JSON.stringify(Object.keys(functions)));
 """
@@ -114,10 +121,57 @@ NOISE = """
                                               4.0f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, 3.0f)), 7u);
 """
 EROSION = """
-    float height, ridge;
-    osl::gabor_erosion(vector(0.5f * p.x, 0.5f * p.y, 0), 2, 7, 5, 1.5f, 0.12f, 2, 0.5f, 0.5f, 1.5f, 2, 0.1f, 0.1f, 0.5f, 1, height, ridge);
-    const GaborTerrain expected = gabor_eroded(p, gabor_terrain(p, 7), gabor_erosion(), 7);
+    float height, ridge, usual_height, usual_ridge;
+    osl::gabor_erosion(vector(0.5f * p.x, 0.5f * p.y, 0), 2, 7, 3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f, height, ridge);
+    osl::gabor_erosion(vector(0.5f * p.x, 0.5f * p.y, 0), 2, 7, DEFAULTS, usual_height, usual_ridge);
+    const GaborTerrain hills = gabor_terrain(p, 7), usual = gabor_eroded(p, hills, gabor_erosion(), 7);
+    const GaborErosion erosion{3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f};
+    const GaborTerrain expected = gabor_eroded(p, hills, erosion, 7);
 """
+
+# Nodes in the languages of engines, which run here as C++. HLSL makes an unsigned 0 of a negative float.
+ENGINES = """#include "gabor_noise.hpp"
+#include <cstring>
+struct Word {
+    std::uint32_t word;
+    Word(int number) : word(std::uint32_t(number)) {}
+    Word(float number) : word(number > 0.0f ? std::uint32_t(number) : 0u) {}
+    operator std::uint32_t() const { return word; }
+};
+Word floatBitsToUint(float number) { Word word(0); std::memcpy(&word, &number, 4); return word; }
+using half = float;
+using float2 = gabor_vec2; using float3 = gabor_vec3; using half2 = gabor_vec2; using half3 = gabor_vec3;
+using vec2 = gabor_vec2; using vec3 = gabor_vec3; using vec4 = gabor_vec4;
+vec4 iMouse(500.0f, 130.0f, 1.0f, 0.0f);
+vec3 iResolution(800.0f, 450.0f, 1.0f);
+#define uint Word
+"""
+USED = """
+    float a, b, c, d, e, f, g;
+    gabor_vec2 slope, slope_half;
+    gabor_vec3 stripes, stripes_half;
+    gabor_vec4 color;
+    const gabor_vec2 along(3.0f, -1.0f), turned(along.y, along.x);
+    GaborNoise_float(p, 4.0f, 0.7854f, -3.0f, a, b);
+    GaborNoise_half(p, 3.0f, 0.5f, -4.0f, c, d);
+    GaborStripes_float(p, along, 3.0f, -5.0f, e, slope, stripes);
+    GaborStripes_half(p, turned, 2.0f, -6.0f, f, slope_half, stripes_half);
+    mainImage(color, 32.0f * p);
+    const gabor_vec2 z_a = gabor_noise_complex(p, 4.0f, 0.7854f, -3), z_c = gabor_noise_complex(p, 3.0f, 0.5f, -4);
+    const GaborField z_e = gabor_field(gabor_place_at(p), along, -5), z_f = gabor_field(gabor_place_at(p), turned, -6);
+    const gabor_vec3 s_e = gabor_stripes_of(z_e, 3.0f), s_f = gabor_stripes_of(z_f, 2.0f);
+    const gabor_vec2 godot = gabor_noise_complex(p, 2.5f, 0.3f, -7);
+    const float scale = 8.0f, maker_seed = 0.3f;
+    float noise, quadrature;
+    { const gabor_vec2 place = p; const float frequency = 2.5f, orientation = 0.3f; const int seed = -7; GODOT }
+"""
+# The value of each output, and what it should be.
+OUTPUTS = {"a": "z_a.y", "b": "z_a.x", "c": "z_c.y", "d": "z_c.x", "e": "z_e.noise", "f": "z_f.noise",
+           **{f"slope{half}.{axis}": f"z_{z}.gradient.{axis}" for half, z in (("", "e"), ("_half", "f")) for axis in "xy"},
+           **{f"stripes{half}.{axis}": f"s_{z}.{axis}" for half, z in (("", "e"), ("_half", "f")) for axis in "xyz"},
+           "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.y", "noise": "godot.y", "quadrature": "godot.x",
+           "float(MAKER)": "gabor_unorm(gabor_noise_tiled(p, gabor_vec2(8.0f), 2.5f, 0.5235988f, floatBitsToUint(0.3f)))",
+           "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
 
 
 class ByHand(unittest.TestCase):
@@ -159,11 +213,63 @@ class ByHand(unittest.TestCase):
         self.assertTrue(((0 <= phase) & (phase <= 1)).all())
 
     def test_erosion_in_open_shading_language(self):
-        outputs = "2.0f*height ridge expected.height expected.ridge".split()
-        made, expected = np.split(self.osl("gabor_erosion.osl", ["gabor_noise", "gabor_erosion"], EROSION, outputs), 2)
+        given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_erosion.osl").read_text(), re.MULTILINE)
+        outputs = "2.0f*height 2.0f*usual_height ridge usual_ridge expected.height usual.height expected.ridge usual.ridge".split()
+        made, expected = np.split(self.osl("gabor_erosion.osl", ["gabor_noise", "gabor_erosion"],
+                                           EROSION.replace("DEFAULTS", ", ".join(given[2:])), outputs), 2)
         error = np.abs(made - expected).max(axis=(1, 2))
         print(f"largest differences of height and ridge: {error}")
-        self.assertTrue((error < [1e-5, 1e-3]).all())
+        self.assertTrue((error < [1e-5, 1e-5, 1e-3, 1e-3]).all())
+
+    def test_each_output_of_nodes_that_call_the_drop_in(self):
+        """Unity, Unreal, Godot, Material Maker and Shadertoy, with negative seeds, and with inputs that all differ."""
+        def replaced(text, *pairs):
+            for pattern, by in (*pairs, (r"(?<![\w.])(\d+\.\d+)(?![\df])", r"\1f")):
+                text = re.sub(pattern, by, text)
+            return text
+        unity = replaced((UNITY / "GaborNoise.hlsl").read_text(), (r'#include "gabor_noise.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
+        unreal = (NODES / "unreal" / "custom.hlsl").read_text()
+        shadertoy = replaced((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], (r"\bout (\w+)", r"\1&"))
+        godot = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
+        names = [json.loads(re.search(pattern, godot)[1]) for pattern in (r"const NAMES := (\[.*\])", r"return (\[.*\])\[port\]")]
+        godot = re.search(r'return "(vec2 gabor = .*)" % \(inputs \+ outputs\)', godot)[1].replace("\\n", "\n") % tuple(sum(names, []))
+        maker, = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())["shader_model"]["outputs"]
+        maker = replaced(maker["f"], *((rf"\$\b{name}", value) for name, value in dict(
+            uv="(p / 8.0f)", scale="8.0f", frequency="2.5f", orientation="30.0f", seed="0.3f").items()))
+        before = f"{ENGINES}{unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ {unreal} }}\n{shadertoy}"
+        values = [*OUTPUTS, *OUTPUTS.values()]
+        made, expected = np.split(in_cpp(self.folder, before, [value.replace("MAKER", maker) for value in values], "-std=c++17", "-O1",
+                                         "-I", SHADERS / "translations", code=USED.replace("GODOT", godot)), 2)
+        for output, one, other in zip(OUTPUTS, made, expected):
+            with self.subTest(output):
+                self.assertGreater(one.std(), 0.1)
+                np.testing.assert_allclose(one, other, rtol=0, atol=1e-5)
+
+    def test_graphs_of_materialx(self):
+        """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
+        graphs = {}
+        for graph in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_ng.mtlx").getroot().iter("nodegraph"):
+            nodes = {each.get("name"): each for each in graph}
+
+            def value(put):
+                if put.get("nodename") is None:
+                    return put.get("interfacename") or put.get("value")
+                node = nodes[put.get("nodename")]
+                return node.tag + "(" + ", ".join(f"{each.get('name')}={value(each)}" for each in node) + ")"
+            graphs[graph.get("name")] = [value(output) for output in graph.findall("output")]
+
+        def combined(parts):
+            return parts[0] if len(parts) == 1 else f"combine{len(parts)}({', '.join(f'in{k}={part}' for k, part in enumerate(parts, 1))})"
+        for dim, place, along in ("2d", "texcoord", "orientation"), ("3d", "position", "direction"):
+            def part(index, seed="seed"):
+                field = f"gaborfield{dim}({place}={place}, frequency=frequency, {along}={along}, seed={seed})"
+                return f"extract(in={field}, index={index})"
+            noises = [part(0), *(part(0, f"gaborseed(seed=seed, index=-{k})") for k in (1, 2, 3))]
+            for count, kind in enumerate(("float", "vector2", "vector3", "vector4"), 1):
+                self.assertEqual(graphs[f"NG_gabornoise{dim}_{kind}"],
+                                 [f"add(in1=multiply(in1={combined(noises[:count])}, in2=amplitude), in2=pivot)"])
+            parts = [part(0), part(1), combined([part(2), part(3)])] if dim == "2d" else [part(0), combined([part(1), part(2), part(3)])]
+            self.assertEqual(graphs[f"NG_gaborwave{dim}"], parts)
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):
@@ -176,9 +282,15 @@ class ByHand(unittest.TestCase):
         values = self.folder / "values.raw"
         said = subprocess.run(["node", self.folder / "scene.mjs", values], check=True, stdout=subprocess.PIPE, text=True).stdout
         names = json.loads(said)
-        for name, picture in zip(names, np.split(np.fromfile(values, "<f4"), len(names))):
+        pictures = np.split(np.fromfile(values, "<f4"), len(names))
+        for name, picture in list(zip(names, pictures))[:-5]:
             with self.subTest(name):
                 self.compare(name, picture)
+        # The surface shows two kernel radii per unit, and p grows downwards.
+        normal, slope = np.array(pictures[-5:-2], float), 0.05 * 2 * np.array(pictures[-2:], float)
+        wanted = np.array([-slope[0], slope[1], np.ones_like(slope[0])]) / np.sqrt(1 + (slope**2).sum(0))
+        self.assertLess(np.abs(normal - wanted).max(), 1e-4)
+        self.assertGreater(normal[1].std(), 0.1)
 
 
 if __name__ == "__main__":

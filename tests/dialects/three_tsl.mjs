@@ -72,5 +72,15 @@ export const Fn = body => {
     call.setLayout = () => call;
     return call;
 };
-// Derivatives and mesh data stay undefined: only surface normals need them, and only three.js draws those.
-export const [cross, dFdx, dFdy, normalView, positionView] = [];
+export const cross = (a, b) => vec3(...[0, 1, 2].map(i => {
+    const [j, k] = [(i + 1) % 3, (i + 2) % 3], part = (node, index) => new Node("float", [node.parts[index]]);
+    return part(a, j).mul(part(b, k)).sub(part(a, k).mul(part(b, j)));
+}));
+// Rows of 256 points, seen from the front, of a surface whose y points up and the pixels' down, as in WebGPU.
+const stepped = step => node => mapped(node, (value, i, part) => part.length === 1 ? 0
+    : Math.floor(i / step) % 2 ? value - part[i - step] : part[i + step] - value);
+export const dFdx = stepped(1), dFdy = stepped(256);
+const points = Float32Array.from({ length: 256 * 32 }, (_, i) => i);
+const along = place => mapped(new Node("float", [points]), place);
+export const positionView = vec3(along(i => (i % 256 + 0.5) / 64), along(i => -(Math.floor(i / 256) + 0.5) / 64), 0);
+export const normalView = vec3(0, 0, 1);
