@@ -1,7 +1,8 @@
-"""Checks README and docs: links have targets, code to paste compiles, and figures match their source page."""
+"""Checks README and docs: links have targets, code to paste compiles, scripts do what they say, and figures match their source page."""
 
 import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -60,6 +61,12 @@ class Pages(unittest.TestCase):
             inputs = "vec2 UV; vec3 ALBEDO, NORMAL_MAP; float ROUGHNESS, METALLIC;\n" if name == "Godot" else ""
             self.compile("#version 450\n" * (kind == "glsl") + drop_ins + inputs + code + "void main() {}\n",
                          *["-D", "-e", "main"] * (kind == "hlsl"))
+
+    def test_the_scripts_of_pages(self):
+        if not shutil.which("node"):
+            self.skipTest("node is not installed")
+        result = subprocess.run(["node", pathlib.Path(__file__).with_name("page_scripts.mjs"), ROOT / "docs"], capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def compile(self, code, *options):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
