@@ -14,6 +14,7 @@ import unittest
 
 import gabor_noise as gn
 import numpy as np
+from gabor_noise._heightmap import smoothed
 from PIL import Image
 
 POINTS = dict(x=np.linspace(-3, 40, 24), y=np.linspace(7, 0.1, 24))
@@ -22,6 +23,7 @@ WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
 COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
 SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], seed=[1, 2, 3])
+SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
 # Each function, its fixed arguments, and three values of each argument that may be an array.
 CASES = [
     (gn.noise, POINTS, WAVE | COMMON),
@@ -31,7 +33,7 @@ CASES = [
     (gn.noise_isotropic, POINTS, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_spread, POINTS, WAVE | COMMON | dict(frequency_spread=[0.0, 0.3, 1.0], orientation_spread=[0.0, 0.4, np.pi / 2])),
     (gn.noise_filtered, POINTS | dict(pixel=0.1), WAVE | COMMON),
-    (gn.noise_filtered, POINTS, dict(pixel=[(0.1, 0.1), (0.3, 0.1), (0.3, 0.6)])),
+    (gn.noise_filtered, POINTS | dict(frequency=1.0), dict(pixel=SIDES)),
     (gn.noise_3d, POINTS_3D, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_3d, POINTS_3D | dict(direction=(1, 2, 3), period=5), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_3d, POINTS_3D, dict(direction=[(1, 0, 0), (0, 3, 0), (-1, 1, 2)])),
@@ -42,11 +44,12 @@ CASES = [
     (gn.image, PICTURE | dict(orientation_spread=0.5), dict(frequency_spread=[0.0, 0.3, 1.0])),
     (gn.image, PICTURE | dict(lobes=[(3, 0.4), (1,)]), COMMON),
     (gn.volume, dict(shape=(2, 3, 4), scale=4.0), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
-    (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel=[(0.0, 0.0), (1.0, 0.1), (0.1, 2.0)])),
+    (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel=SIDES)),
+    (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2)), dict(pixel=SIDES)),
     (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3)), dict(seed=[1, 2, 3])),
     (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
     (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
-    (gn.water, POINTS, SEA | dict(pixel=[(0.0, 0.0), (3.0, 0.5), (0.5, 20.0)])),
+    (gn.water, POINTS, SEA | dict(pixel=SIDES)),
     (gn.water_height, POINTS, SEA),
 ]
 EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
@@ -107,6 +110,9 @@ class Arrays(unittest.TestCase):
             with self.subTest(name, parameter=parameter):
                 self.check(gn.material, dict(name=name, x=x, y=y, pixel=0.02, seed=3, **needed), parameter, values, not low)
         self.assertGreater(tested, 70)
+        for name in MATERIALS:
+            with self.subTest(name, parameter="pixel"):
+                self.check(gn.material, dict(name=name, x=x, y=y, seed=3), "pixel", SIDES, True)
 
     def test_each_member_of_a_lobe(self):
         for index, values in enumerate(([1.0, 3.0, 5.0], [0.0, 1.0, 2.0], [0.4, 1.0, 2.0], [0.1, 1.0, 5.0])):
@@ -329,6 +335,14 @@ class Erosion(unittest.TestCase):
             other = gn.erode(height * self.HILLS, width, seed=5, dtype=np.float64)
             np.testing.assert_allclose(other[..., 0], height * result[..., 0], rtol=0, atol=2e-5 * height)
             np.testing.assert_allclose(other[..., 1:3] * (width / 8), height * result[..., 1:3], rtol=0, atol=1e-3 * height)
+
+    def test_a_map_is_smoothed_alike_along_both_axes(self):
+        for tileable in False, True:
+            (surface, slope), (turned, turned_slope) = (smoothed(each, 5.0, tileable) for each in (self.HILLS[:90, :200], self.HILLS[:90, :200].T))
+            self.assertAlmostEqual(slope, turned_slope, delta=1e-12)
+            self.assertAlmostEqual(slope, np.hypot(surface[1].std(), surface[2].std()), delta=0.1 * slope)
+            for one, other in zip(surface, (turned[k].T for k in (0, 2, 1, 5, 4, 3))):
+                np.testing.assert_allclose(one, other, rtol=0, atol=1e-12)
 
     def test_without_octaves_the_map_stays(self):
         for tileable in (False, True):
