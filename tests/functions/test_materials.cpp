@@ -99,10 +99,12 @@ const std::vector<Material> materials = [] {
         MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.13,
              Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
         MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
-    for (const auto& [base, name, last] : {std::tuple(1, "herringbone", 2.0f), {5, "patina", 0.55f}}) {
+    // What is off by default.
+    for (const auto& [base, name, from_last, number] :
+         {std::tuple(1, "herringbone", 0, 2.0f), {1, "corduroy", 1, 1.5f}, {5, "patina", 0, 0.55f}}) {
         all.push_back(all[static_cast<std::size_t>(base)]);
         all.back().name = name;
-        all.back().defaults.back() = last;
+        all.back().defaults.rbegin()[from_last] = number;
     }
     const auto wood = numbers_of(gabor_wood_default());
     all.push_back({"boards", 2e-4f, 0.1, 0.09, all.front().numbers, wood,

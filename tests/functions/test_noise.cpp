@@ -152,6 +152,19 @@ void compare_fields(std::initializer_list<test::Noise<N>> noises) {
     test::check(of, 4 * noises.size() + 1);
 }
 
+// Compares noises of a frequency and of its opposite, with and without a filter.
+template <std::size_t N>
+void see_signs(Differences& of, Random& random, std::initializer_list<test::Noise<N>> noises) {
+    for (const test::Noise<N>& noise : noises) {
+        test::Sample<N> s = test::somewhere<N>(random, random.uniform(0.5, 4));
+        s.dx[0] = s.dy[1] = 0.1f;
+        const auto field = noise.field(s), filtered = noise.filtered(s);
+        s.frequency = -s.frequency;
+        of[noise.name].see(noise.field(s).noise, field.noise, 1e-6, s);
+        of[fmt::format("{}, filtered", noise.name)].see(noise.filtered(s).noise, filtered.noise, 1e-6, s);
+    }
+}
+
 // Compares a place with the reference's, which has the same period and lies whole periods away.
 void see_place(Largest& largest, const auto& place, const auto& expected, const auto& where) {
     for (std::size_t axis = 0; axis < expected.local.size(); ++axis) {
@@ -182,6 +195,22 @@ TEST_CASE("fields agree with the reference, also with a filter for a pixel of si
           "[lattice][isotropic][space][oracle]") {
     compare_fields<2>({test::plane, test::isotropic});
     compare_fields<3>({test::solid, test::surface, test::isotropic_3d, test::isotropic_surface});
+}
+
+TEST_CASE("the sign of a frequency is ignored", "[spectrum][isotropic][space]") {
+    Random random(24);
+    Differences of;
+    for (int i = 0; i < 1 << 8; ++i) {
+        see_signs<2>(of, random, {test::isotropic});
+        see_signs<3>(of, random, {test::surface, test::isotropic_3d, test::isotropic_surface});
+        const auto p = random.uniform<gabor_vec2>(-8, 8);
+        const float frequency = random.uniform(0.5, 4), turn = random.uniform(-3, 3);
+        const auto spread = [&](float f) { return n.gabor_noise_spread(p, f, turn, 0.4f, 0.7f, 7); };
+        of["gabor_noise_spread"].see(spread(-frequency), spread(frequency), 1e-6, test::Sample<2>{});
+        see(of["gabor_wave_vector"], n.gabor_wave_vector(-frequency, turn),
+            test::wide(n.gabor_wave_vector(frequency, turn)), 1e-9, test::Sample<2>{});
+    }
+    test::check(of, 10);
 }
 
 TEST_CASE("places have the position and the period that they are made from", "[lattice][space][oracle]") {

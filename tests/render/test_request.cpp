@@ -67,6 +67,15 @@ bool draw_alike(const Request& a, const Request& b) {
 
 const std::vector<std::string_view> views = render::parameter("view").choices;
 
+bool is_accepted(const Request& request) {
+    try {
+        render::check(request);
+        return true;
+    } catch (const RequestError&) { // conflicts with the initial request
+        return false;
+    }
+}
+
 } // namespace
 
 TEST_CASE("every parameter survives a round trip through JSON and text exactly, and changes the plan",
@@ -101,14 +110,26 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
                 Request by_text = start;
                 set_text(by_text, parameter.name, text);
                 CHECK(by_text == changed);
-                try {
-                    render::check(changed);
-                } catch (const RequestError&) { // conflicts with the initial request
+                if (!is_accepted(changed))
                     continue;
-                }
                 CHECK(render::from_json(render::to_json(changed)) == changed);
                 ++seen[parameter.name];
                 CHECK_FALSE(draw_alike(start, changed));
+                if (!std::holds_alternative<double>(value))
+                    continue;
+                auto [low, high] = parameter.slider; // whose ends, too, have an effect
+                if (parameter.name == "pitch" && render::has_terrain(start)) // no camera is below the ground
+                    low = 0;
+                for (const auto& [end, sign] : {std::pair(low, 1), {high, -1}}) {
+                    Request inside = changed;
+                    parameter.place.put(changed, end);
+                    const double step =
+                        std::max(1e-3 * (high - low), parameter.kind == Parameter::Kind::integer ? 1.0 : 0.0);
+                    parameter.place.put(inside, end + sign * step);
+                    INFO(end);
+                    if (is_accepted(changed) && is_accepted(inside))
+                        CHECK_FALSE(draw_alike(changed, inside));
+                }
             }
         }
     }
