@@ -117,6 +117,20 @@ class Erode(ProgramTest):
         np.testing.assert_allclose(high["erosion"], 300 * seen, atol=300 * 2e-5)
         np.testing.assert_array_equal(self.eroded("--extent=8", "--gully-width=1")["erosion"], seen)
 
+    def test_both_axes_are_alike(self):
+        """A map that is not square and the same map with x and y exchanged."""
+        seen = []
+        for name, heights in ("map", hills(96, 160)), ("turned", hills(96, 160).T):
+            write_exr(self.folder / f"{name}.exr", {"Y": heights})
+            self.succeed("erode", f"{name}.exr", "-o", "out.exr", "--octaves=0", f"--extent={heights.shape[1] / 12}", "--gully-width=1")
+            seen.append(Exr(self.folder / "out.exr"))
+        one, turned = seen
+        self.assertAlmostEqual(one.parameters["slope"] * one.parameters["width"] / one.parameters["extent"],
+                               turned.parameters["slope"] * turned.parameters["width"] / turned.parameters["extent"], delta=1e-6)
+        self.assertEqual(one.parameters["heights"], turned.parameters["heights"])
+        for name, other in ("height", "height"), ("slope.x", "slope.y"), ("slope.y", "slope.x"):
+            np.testing.assert_allclose(one.channels[name], turned.channels[other].T, atol=1e-5, err_msg=name)
+
     def test_slopes_are_those_of_the_heights(self):
         rows, columns = 512, 768
         write_exr(self.folder / "large.exr", {"Y": hills(columns, rows)})
@@ -223,7 +237,7 @@ class Erode(ProgramTest):
         values[40:50, 30:60] = 7
         for kind in "<i2", ">u2", "<f4":
             for keys in metres, degrees:
-                write_tiff(self.folder / "map.tif", values.astype(kind), t33550=("d", 30, 30, 0), t34735=keys, t42113=("s", b"7"))
+                write_tiff(self.folder / "map.tif", values.astype(kind), t33550=("d", 30, 20, 0), t34735=keys, t42113=("s", b"7"))
                 text = self.succeed("erode", "map.tif", "-o", "out.exr")
                 self.assertEqual("a guess" in text, keys == degrees)
                 out = Exr(self.folder / "out.exr")

@@ -179,6 +179,9 @@ class Maps(RenderTest):
 
         for name in "RGB":
             np.testing.assert_allclose(coarse[name], means(fine[name]), rtol=1e-4)
+        slopes = [fine[f"normal.{axis}"].astype(float) / fine["normal.z"] for axis in "xy"]
+        lost = sum(means(slope**2) - means(slope)**2 for slope in slopes)
+        np.testing.assert_allclose(coarse["roughness"]**4, np.minimum(means(fine["roughness"]**4) + 0.61 * lost, 1), rtol=1e-3)
         error, careless = [], []
         for elevation, azimuth in ((0.1, 0), (0.4, 2), (0.4, 4), (0.8, 1)):
             light = np.array([np.sin(elevation) * np.cos(azimuth), np.sin(elevation) * np.sin(azimuth), np.cos(elevation)])
