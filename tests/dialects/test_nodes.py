@@ -245,6 +245,24 @@ class ByHand(unittest.TestCase):
                 self.assertGreater(one.std(), 0.1)
                 np.testing.assert_allclose(one, other, rtol=0, atol=1e-5)
 
+    def test_nodes_of_blender(self):
+        from blender_nodes import bpy, white_noise  # replaces Blender's own bpy
+        sys.path.insert(0, str(NODES / "blender"))
+        import gabor_noise
+        group, place, seed = gabor_noise.field_group(), np.random.default_rng(1).uniform(-9, 9, (3, 500)), 5.0
+
+        def amplitudes(i, j):
+            white = 2 * white_noise(np.array([i, j, 0 * i], float), seed) - 1
+            return (reference.law(white[0]) + 1j * reference.law(white[1])) / reference.DEVIATION
+        wanted = reference.complex_lattice((0, 0), 1.5 * 3 * place[0], 1.5 * 3 * place[1], amplitudes=amplitudes,
+                                           wave=(2.5 * np.cos(0.6), 2.5 * np.sin(0.6)))
+        given = {"Vector": place, "Scale": 3.0, "Frequency": -2.5, "Orientation": 0.6, "Seed": seed}
+        for output, expected in {"Noise": wanted.imag, "Quadrature": wanted.real, "Value": np.clip(0.5 + 0.25 * wanted.imag, 0, 1),
+                                 "Phase": np.angle(wanted) / (2 * np.pi) % 1, "Intensity": np.abs(wanted)}.items():
+            np.testing.assert_allclose(group.value(output, given), expected, rtol=0, atol=1e-4, err_msg=output)
+        self.assertIs(gabor_noise.field_group(), group)
+        self.assertEqual(len(bpy.data.node_groups), 2)
+
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
         graphs = {}

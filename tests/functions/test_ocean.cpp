@@ -256,6 +256,21 @@ TEST_CASE("the sea's waves travel as the dispersion relation says", "[ocean][law
     CHECK(worst_apart < 0.05 + chance); // bands widen the peak of the spectrum
 }
 
+TEST_CASE("the sea moves on without a jump, after any time", "[ocean]") {
+    Random random(6);
+    gabor::test::Largest jump;
+    for (int bit = 0; bit < 31; ++bit)
+        for (const GaborOcean& sea : seas) {
+            Place place = anywhere(random);
+            place.second = static_cast<int>((std::uint32_t{1} << bit) - 1);
+            place.fraction = 1;
+            const GaborWater before = place.water(sea, 0, 0, -1e-6);
+            jump.see(place.water(sea).height, before.height, 1e-3,
+                     [&] { return fmt::format("second 2^{}", bit); });
+        }
+    jump.check("height");
+}
+
 TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights and shifts", "[ocean]") {
     Random random(3);
     gabor::test::Largest slope, fold;
