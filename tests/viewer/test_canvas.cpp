@@ -2,6 +2,8 @@
 
 #include "../largest.hpp"
 #include "viewer/canvas.hpp"
+#include "viewer/display.hpp"
+#include "viewer/document_json.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -137,4 +139,27 @@ TEST_CASE("a coarse view is the same as a view of smaller scale with the filter 
     document.request.filter = true; // only the intensity fades
     document.output = Output::phasor;
     CHECK(coarsest(1) == 2);
+}
+
+TEST_CASE("terrain looks alike in any unit") {
+    for (std::size_t look = 0; look < 4; ++look) {
+        std::array<std::vector<float>, 2> seen;
+        for (const auto& [k, extent] : {std::pair(0u, 2.0), {1u, 2000.0}}) {
+            Document document = document_of({.width = 64, .height = 48, .scale = 8, .seed = 3});
+            set_parameter(document, "view", std::string("terrain"));
+            set_parameter(document, "scale", 8.0);
+            set_parameter(document, "extent", extent);
+            document.look = static_cast<Look>(look);
+            Canvas canvas(device());
+            const std::vector<float> values = values_of(canvas, document, {64, 48});
+            FileColours colours(device(), document, canvas.channels());
+            const std::span<const float> shown = colours.of(values);
+            seen[k].assign(shown.begin(), shown.end());
+        }
+        test::Largest largest;
+        for (std::size_t i = 0; i < seen[0].size(); ++i)
+            largest.see(seen[1][i], seen[0][i], 4e-3, [&] { return fmt::format("value {}", i); });
+        largest.check(std::string(look_names[look]));
+        CHECK(std::ranges::max(seen[0]) - std::ranges::min(seen[0]) > 0.2f);
+    }
 }

@@ -1,17 +1,22 @@
-// Tests the panel's text, without a window.
+// Tests the panel's text, and what the pointer does, without a window.
 
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/photograph.hpp"
 
+#include "image/png.hpp"
 #include "render/load.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
+#include <filesystem>
+#include <random>
 #include <regex>
 #include <set>
 #include <string>
+#include <thread>
 
 using namespace gabor;
 using namespace gabor::viewer;
@@ -50,6 +55,26 @@ std::string panel_text(Session& session) {
         ImGui::EndFrame();
     }
     return text;
+}
+
+// Draws a frame after the pointer has moved.
+template <typename Draw>
+void frame(ImVec2 pointer, Draw draw) {
+    ImGui::GetIO().MousePos = pointer;
+    ImGui::NewFrame();
+    draw();
+    ImGui::EndFrame();
+}
+
+// Presses the left button at one point, and releases it at another.
+template <typename Draw>
+void drag(ImVec2 from, ImVec2 to, Draw draw) {
+    frame(from, draw);
+    ImGui::GetIO().MouseDown[0] = true;
+    frame(from, draw);
+    frame(to, draw);
+    ImGui::GetIO().MouseDown[0] = false;
+    frame(to, draw);
 }
 
 std::string panel_text(const Document& document) {
@@ -156,4 +181,103 @@ TEST_CASE("a picture of twice the size shows the same, and so does the window") 
     CHECK(document == before);
     CHECK_THROWS(resize(document, 1000));
     CHECK(document == before);
+}
+
+TEST_CASE("the place under the pointer stays there when the wheel turns or the plane is dragged, on dense "
+          "screens, too") {
+    for (const float density : {1.0f, 2.0f}) {
+        const NoWindow none;
+        ImGui::GetIO().DisplayFramebufferScale = {density, density};
+        Session session(document_of({.scale = 24}), "");
+        const auto input = [&] { handle_input(session, 800, 600); };
+        const auto place = [&](ImVec2 at) {
+            const Camera& camera = session.document().camera;
+            const double scale = 24 * camera.zoom / double{density};
+            return std::array{
+                static_cast<double>(camera.x.whole) + camera.x.part + double{at.x - 400} / scale,
+                static_cast<double>(camera.y.whole) + camera.y.part + double{at.y - 300} / scale};
+        };
+        const ImVec2 from{150, 420}, to{190, 330};
+        frame(from, input);
+        const auto before = place(from);
+        ImGui::GetIO().MouseWheel = 2;
+        frame(from, input);
+        CHECK(session.document().camera.zoom > 1.2);
+        const auto zoomed = place(from);
+        drag(from, to, input);
+        const auto moved = place(to);
+        for (const std::size_t axis : {0u, 1u}) {
+            CHECK(zoomed[axis] == Approx(before[axis]));
+            CHECK(moved[axis] == Approx(before[axis]));
+        }
+    }
+}
+
+TEST_CASE("a colour stays between its neighbours") {
+    for (const std::size_t stop : {0u, 1u, 2u, 3u})
+        for (const float target : {0.02f, 0.98f}) {
+            const NoWindow none;
+            Document document = document_of({});
+            document.ramp = {{0.1f, {0, 0, 0}}, {0.4f, {1, 0, 0}}, {0.6f, {0, 1, 0}}, {0.9f, {1, 1, 1}}};
+            Session session(document, "");
+            ImVec2 corner, ends;
+            const auto draw = [&] {
+                ImGui::SetNextWindowPos({0, 0});
+                ImGui::SetNextWindowSize({400, 300});
+                ImGui::Begin("colours");
+                corner = ImGui::GetCursorScreenPos();
+                const float edge = 0.4f * ImGui::GetFontSize();
+                ends = {corner.x + edge, corner.x + ImGui::CalcItemWidth() - edge};
+                ramp_editor(session);
+                ImGui::End();
+            };
+            frame({0, 0}, draw);
+            const auto at = [&](float share) {
+                return ImVec2(std::lerp(ends.x, ends.y, share), corner.y + 4);
+            };
+            drag(at(document.ramp[stop].at), at(target), draw);
+            const float low = stop > 0 ? document.ramp[stop - 1].at : target;
+            const float high = stop < 3 ? document.ramp[stop + 1].at : target;
+            CHECK(session.document().ramp[stop].at == Approx(target < 0.5f ? low : high).margin(0.005));
+        }
+}
+
+TEST_CASE("another number of lobes leaves a photograph's noise where it is") {
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-photograph.png";
+    constexpr int side = 128;
+    std::mt19937 random(3);
+    std::vector<float> grey(side * side);
+    const auto unit = [&] { return static_cast<float>(random()) * 0x1p-32f; };
+    float phase = 0;
+    for (float& value : grey) { // stripes that drift, and noise
+        phase += 0.6f + 0.6f * unit();
+        value = 0.4f + 0.2f * std::sin(phase) + 0.3f * unit();
+    }
+    image::PngWriter png(path, side, side, 1);
+    png.write_rows(grey);
+    png.commit();
+    const NoWindow none;
+    Session session(document_of({}), "");
+    const auto fit = [&](int lobes) {
+        session.fitter.set_lobes(lobes);
+        do {
+            poll_fitter(session);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        } while (session.fitter.running());
+    };
+    open_photograph(session, path.string());
+    fit(1);
+    std::filesystem::remove(path);
+    REQUIRE(session.fitted);
+    Document& document = session.document();
+    document.camera = document.camera.moved(3.25, -1.5);
+    const double scale = document.request.scale;
+    const auto pixel = [&](const Coordinate& c) {
+        return (static_cast<double>(c.whole) + c.part) * document.request.scale;
+    };
+    const std::array before{pixel(document.camera.x), pixel(document.camera.y)};
+    fit(6);
+    CHECK(document.request.scale != scale);
+    CHECK(pixel(document.camera.x) == Approx(before[0]));
+    CHECK(pixel(document.camera.y) == Approx(before[1]));
 }

@@ -72,7 +72,9 @@ class Window(EventsTest):
             keys ctrl+z
             keys ctrl+z
             double_click 1000 452
-            save reset.json""", "plain.json", "--window", "1280x800")
+            save reset.json
+            drag 1040 402 1090 350
+            save mirrored.json""", "plain.json", "--window", "1280x800")
 
         def lobes(name):
             saved = json.loads((self.folder / f"{name}.json").read_text())
@@ -87,6 +89,9 @@ class Window(EventsTest):
         self.assertEqual(lobes("removed"), lobes("moved"))
         self.assertEqual(len({round(orientation, 1) for _, orientation in lobes("more")}), 3)
         self.assertEqual(lobes("reset")[0][0], 4)
+        (frequency, orientation), = lobes("mirrored") # its other handle is at (50, 26)
+        self.assertAlmostEqual(frequency, 4 * np.hypot(50, 26) / 78, delta=0.06)
+        self.assertAlmostEqual(orientation, np.degrees(np.arctan2(-26, -50)), delta=1)
 
     def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
         self.play("""
