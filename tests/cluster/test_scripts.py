@@ -6,6 +6,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import types
 import unittest
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -54,6 +55,9 @@ class Scripts(ProgramTest):
             regions = [names["strip"]({"size": "48x31", "strips": 8}, k, level).split(",") for k in range(1, 1 + (8 >> 2 * level))]
             rows = [row for x, y, width, height in regions for row in range(int(y), int(y) + int(height)) if (x, width) == ("0", str(48 >> level))]
             self.assertEqual(rows, list(range(31 >> level)))
+        times = re.findall(r"time=lambda wildcards: (.*),\n", text)
+        self.assertEqual([eval(times[0], {"FRAMES": {"a": {"frames": 4}}, "wildcards": types.SimpleNamespace(name="a", k=f"{k:04}")})
+                          for k in (1, 2, 4)], [0, 0.25, 0.75])
         for v in range(3):  # from the bottom
             for u in range(2):
                 options = names["tile"]({"size": "24x10", "across": 2, "down": 3}, 1001 + u + 10 * v)

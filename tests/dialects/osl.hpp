@@ -32,6 +32,9 @@ double min(double a, double b) {
 double max(float a, double b) {
     return std::max<double>(a, b);
 }
+vector operator*(double a, vector v) {
+    return v * vector(static_cast<float>(a));
+}
 vector normalize(vector v) {
     return v * vector(1 / std::hypot(v.x, v.y, v.z));
 }

@@ -100,6 +100,7 @@ const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i =>
 const field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(4, 0.7854), 7);
 const surface = { normal: gabor.gabor_normal(field.gradient, p, 0.05), slope: field.gradient };
 const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p),
+                    "3d": gabor.gabor_noise_3d(vec3(p, 0.3), -4, vec3(2, 4, 6), 7),
                     ...Object.fromEntries(["normal.x", "normal.y", "normal.z", "slope.x", "slope.y"].map(name => {
                         const [of, part] = name.split(".");
                         return [name, surface[of][part]];
@@ -114,10 +115,20 @@ NOISE = """
     vector gradient(0), gradient_3d(0);
     float noise, value, phase, intensity, noise_3d, value_3d, phase_3d, intensity_3d;
     const vector place = vector(p.x, p.y, 0.3f) * 0.25f, along(1, 2, 3);
-    osl::gabor_noise(place, 4, 4, 0.7854f, 7, 0, along, value, phase, intensity, noise, gradient);
-    osl::gabor_noise(place, 4, 4, 0.7854f, 7, 1, along, value_3d, phase_3d, intensity_3d, noise_3d, gradient_3d);
+    osl::gabor_noise(place, 4, -4, 0.7854f, 7, 0, along, value, phase, intensity, noise, gradient);
+    osl::gabor_noise(place, 4, -4, 0.7854f, 7, 1, along, value_3d, phase_3d, intensity_3d, noise_3d, gradient_3d);
     const gabor_vec3 plane = gabor_noise_gradient(p, 4.0f, 0.7854f, 7u);
     const GaborField3d space = gabor_field_3d(gabor_place_3d_at(gabor_vec3(p, 0.3f)),
+                                              4.0f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, 3.0f)), 7u);
+"""
+MATERIALX = """
+    osl::vector4 plane, space;
+    int seed;
+    osl::mx_gaborfield2d(osl::vector2{p.x, p.y}, -4, 30, 7, plane);
+    osl::mx_gaborfield3d(vector(p.x, p.y, 0.3f), -4, vector(2, 4, 6), 7, space);
+    osl::mx_gaborseed(9, -2, seed);
+    const GaborField value = gabor_field(gabor_place_at(p), gabor_wave_vector(4.0f, 0.5235988f), 7u);
+    const GaborField3d solid = gabor_field_3d(gabor_place_3d_at(gabor_vec3(p, 0.3f)),
                                               4.0f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, 3.0f)), 7u);
 """
 EROSION = """
@@ -183,9 +194,10 @@ class ByHand(unittest.TestCase):
         print(f"{function}: largest difference {error:.2g} at row and column {place}")
         self.assertLess(error, 1e-5)
 
-    def osl(self, name, drop_ins, code, values):
-        """Returns the values of expressions after code that calls an OSL shader as a C++ function."""
-        text = (packaged("osl", self.folder / "osl") / name).read_text()
+    def osl(self, text, drop_ins, code, values):
+        """Returns the values of expressions after code that calls OSL as C++ functions. `text` is OSL, or a shader's name."""
+        if text.endswith(".osl"):
+            text = (packaged("osl", self.folder / "osl") / text).read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
         text = re.sub(r"output (\w+ \w+\[)", r"\1", text)  # arrays are passed by reference anyway
         text = re.sub(r"output (\w+) (\w+)", r"\1& \2", text)
@@ -212,6 +224,19 @@ class ByHand(unittest.TestCase):
         self.assertLess(np.abs(intensity * np.cos(2 * np.pi * phase) - expected[0]).max(), 2e-5)
         self.assertTrue(((0 <= phase) & (phase <= 1)).all())
 
+    def test_nodes_of_materialx(self):
+        """Runs the nodes' functions, translated to OSL."""
+        folder = packaged("materialx", self.folder / "materialx") / "libraries/gabor/genosl"
+        names = "lib/mx_gabor", "mx_gaborfield2d", "mx_gaborfield3d", "mx_gaborseed"
+        text = "struct vector2 { float x; float y; };\nstruct vector4 { float x; float y; float z; float w; };\n" + "".join(
+            re.sub("#include.*", "", (folder / f"{name}.osl").read_text()) for name in names)
+        text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", text)
+        made, expected = np.split(self.osl(text, ["gabor_noise", "gabor_noise_3d"], MATERIALX, [
+            *(f"plane.{part}" for part in "xyzw"), *(f"space.{part}" for part in "xyzw"), "float(seed)",
+            *"value.noise value.quadrature value.gradient.x value.gradient.y".split(),
+            *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_lobe_seed(9,-2)))".split()]), 2)
+        self.assertLess(np.abs(made - expected).max(), 2e-3)
+
     def test_erosion_in_open_shading_language(self):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_erosion.osl").read_text(), re.MULTILINE)
         outputs = "2.0f*height 2.0f*usual_height ridge usual_ridge expected.height usual.height expected.ridge usual.ridge".split()
@@ -232,6 +257,8 @@ class ByHand(unittest.TestCase):
         shadertoy = replaced((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], (r"\bout (\w+)", r"\1&"))
         godot = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
         names = [json.loads(re.search(pattern, godot)[1]) for pattern in (r"const NAMES := (\[.*\])", r"return (\[.*\])\[port\]")]
+        defaults = json.loads(re.search(r"const DEFAULTS := (\[.*\])", godot)[1])
+        self.assertEqual(dict(zip(names[0], defaults)), {"place": None, "frequency": 4, "orientation": 0.7854, "seed": 7})
         godot = re.search(r'return "(vec2 gabor = .*)" % \(inputs \+ outputs\)', godot)[1].replace("\\n", "\n") % tuple(sum(names, []))
         maker, = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())["shader_model"]["outputs"]
         maker = replaced(maker["f"], *((rf"\$\b{name}", value) for name, value in dict(
@@ -301,9 +328,13 @@ class ByHand(unittest.TestCase):
         said = subprocess.run(["node", self.folder / "scene.mjs", values], check=True, stdout=subprocess.PIPE, text=True).stdout
         names = json.loads(said)
         pictures = np.split(np.fromfile(values, "<f4"), len(names))
-        for name, picture in list(zip(names, pictures))[:-5]:
+        for name, picture in list(zip(names, pictures))[:-6]:
             with self.subTest(name):
                 self.compare(name, picture)
+        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
+        self.assertLess(np.abs(pictures[-6].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
+        called = set(re.findall(r"\bgabor\.(gabor_\w+)", functions.read_text() + TSL))
+        self.assertEqual(set(re.findall(r"(?m)^export const (\w+)", source)) - called, {"gabor_stripes_of", "gabor_lobe_seed", "gabor_unorm"})
         # The surface shows two kernel radii per unit, and p grows downwards.
         normal, slope = np.array(pictures[-5:-2], float), 0.05 * 2 * np.array(pictures[-2:], float)
         wanted = np.array([-slope[0], slope[1], np.ones_like(slope[0])]) / np.sqrt(1 + (slope**2).sum(0))

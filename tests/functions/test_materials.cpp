@@ -105,6 +105,8 @@ const std::vector<Material> materials = [] {
         all.push_back(all[static_cast<std::size_t>(base)]);
         all.back().name = name;
         all.back().defaults.rbegin()[from_last] = number;
+        if (from_last == 1) // cords far away are not quite as bright as a rough plane
+            all.back().gloss = 0.17;
     }
     const auto wood = numbers_of(gabor_wood_default());
     all.push_back({"boards", 2e-4f, 0.1, 0.09, all.front().numbers, wood,

@@ -31,6 +31,14 @@ const TESTS = {
             if (!(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-9))
                 fail(`${name}: ${before} moves to ${after}`);
         }
+        // The land follows the pointer: its middle moves to the left and away as the pointer moves to the right and down.
+        state.tab = "erosion";
+        Object.assign(state, start());
+        moveBy(20, 30, false);
+        const right = [-Math.sin(state.yaw), Math.cos(state.yaw)], back = [Math.cos(state.yaw), Math.sin(state.yaw)];
+        const along = axis => (state.x * axis[0] + state.y * axis[1]) / state.distance;
+        if (!(Math.abs(along(right) * 30 - along(back) * 20) < 1e-9 && along(right) < 0))
+            fail(`the land moves by ${along(right)} to the right, and ${along(back)} towards the eye`);
     },
     "benchmark.html": () => {
         // If noise k costs k ms per megapixel, the row to copy has these numbers below the heads.
