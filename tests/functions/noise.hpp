@@ -93,9 +93,10 @@ noise::Vector<N> random_unit(Random& random) {
 inline std::vector<noise::SpectrumLobe> reference_lobes(const Lattice3::GaborLobes& lobes,
                                                         std::uint32_t seed) {
     std::vector<noise::SpectrumLobe> all;
-    for (const auto& [frequency, orientation, radius, power] : lobes.lobe)
-        all.push_back({frequency, orientation, wide(radius), power,
-                       noise::lattice_lobe_seed(seed, static_cast<int>(all.size()))});
+    for (int i = 0; i < std::min(lobes.count, GABOR_LOBES); ++i) {
+        const auto& [frequency, orientation, radius, power] = lobes.lobe[i];
+        all.push_back({frequency, orientation, wide(radius), power, noise::lattice_lobe_seed(seed, i)});
+    }
     return all;
 }
 

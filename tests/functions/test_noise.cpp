@@ -197,6 +197,13 @@ TEST_CASE("fields agree with the reference, also with a filter for a pixel of si
     compare_fields<3>({test::solid, test::surface, test::isotropic_3d, test::isotropic_surface});
 }
 
+TEST_CASE("a phase is below 1, however little below a whole turn", "[lattice]") {
+    for (int bit = 1; bit < 120; ++bit) {
+        const float below = -std::exp2(static_cast<float>(-bit)), phase = n.gabor_phasor({1, below}).x;
+        CHECK((phase >= 0.5f && phase < 1));
+    }
+}
+
 TEST_CASE("the sign of a frequency is ignored", "[spectrum][isotropic][space]") {
     Random random(24);
     Differences of;

@@ -52,7 +52,7 @@ Arguments drawn(Random& random, double reach, double frequency) {
     s.frequency_spread = random.word() % 2 ? random.uniform(0, 0.5) : 0;
     s.orientation_spread = random.uniform(0, pi / 2);
     s.seed = random.word();
-    s.lobes.count = 6; // lobes beyond GABOR_LOBES are unused
+    s.lobes.count = 1 + static_cast<int>(random.word() % 6); // lobes beyond it and GABOR_LOBES are unused
     for (auto& lobe : s.lobes.lobe)
         lobe = {random.uniform(0, 8),
                 random.uniform(-8, 8),
