@@ -230,9 +230,11 @@ class Calls(unittest.TestCase):
         double = gn.image((300, 300), seed=4, dtype=np.float64)
         self.assertEqual(double.dtype, np.float64)
         np.testing.assert_array_equal(double.astype(np.float32), one)
-        for function, fixed, _ in CASES:
+        for function, fixed, parameters in CASES:
+            firsts = {name: values[0] for name, values in parameters.items()}
             for dtype in (np.float32, np.float64):
-                self.assertEqual(flat(function(**fixed, dtype=dtype, workers=1)).dtype, dtype, function.__name__)
+                values = flat(function(**(fixed | firsts), dtype=dtype, workers=1))
+                self.assertEqual(values.dtype, dtype, function.__name__)
         self.assertEqual(gn.noise(0, 0).shape, ())
         self.assertEqual(gn.noise([], []).shape, (0,))
         self.assertEqual(gn.noise_gradient(np.zeros((3, 1)), np.zeros(2)).shape, (3, 2, 3))
