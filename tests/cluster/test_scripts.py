@@ -9,7 +9,7 @@ import sys
 import types
 import unittest
 
-ROOT = pathlib.Path(__file__).parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 from program import PROGRAM, ProgramTest  # noqa: E402
 
