@@ -248,6 +248,15 @@ class Erode(ProgramTest):
         self.assertEqual(out.parameters["extent"], 5000)
         self.assertGreater(np.abs(out.channels["erosion"][values == 7]).max(), 0)
 
+    def test_missing_heights_are_those_in_the_file(self):
+        for kind in "u1", "<u2":
+            levels = np.round(200 * self.map).astype(kind)
+            levels[40:50, 30:60] = 7
+            PIL.Image.fromarray(levels).save(self.folder / "map.png")
+            gabor("erode", "map.png", "-o", "out.exr", "--gully-frequency=1", "--extent=500", "--nodata=7", cwd=self.folder)
+            out = Exr(self.folder / "out.exr").channels
+            np.testing.assert_array_equal(out["erosion"] == 0, levels == 7, kind)
+
     def test_pieces_of_different_maps_are_not_joined(self):
         write_exr(self.folder / "other.exr", {"Y": 0.9 * self.map})
         self.succeed("erode", "map.exr", "-o", "left.exr", "--region=0,0,48,96")

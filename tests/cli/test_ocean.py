@@ -51,6 +51,11 @@ class Ocean(ProgramTest):
         for name, values in part.items():
             np.testing.assert_array_equal(values, first[name][40:56, 16:48], name)
 
+    def test_frames_are_a_25th_of_a_second_apart(self):
+        self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=2", "--time=3")
+        times = [Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2)]
+        np.testing.assert_allclose(times, (3, 3.04))
+
     def test_what_does_not_fit_is_refused(self):
         for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")

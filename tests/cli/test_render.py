@@ -205,6 +205,12 @@ class Periods(RenderTest):
         for count in ("0", "-1", "10000", "two", "1.5"):
             self.assert_fails(2, ["--frames", count, "1 to 9999"], "render", "-o", "out.exr", "--frames", count)
 
+    def test_only_frequencies_above_half_a_cycle_per_pixel_are_warned_of(self):
+        for options, warned in (("0", False), ("0.5", True)):
+            result = gabor("render", "-o", "out.exr", "--size=8x8", "--scale=40", "--frequency=16", "--orientation-spread=0",
+                           f"--frequency-spread={options}", cwd=self.folder)
+            self.assertEqual("alias" in result.stderr, warned, result.stderr)
+
     def test_time_is_periodic(self):
         at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
         self.assert_same_bits(at[0], at[1])

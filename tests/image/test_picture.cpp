@@ -128,6 +128,14 @@ TEST_CASE("A flipped bit does no harm, and is refused where a file has checksums
     }
 }
 
+TEST_CASE("A grey TGA may have alpha", "[picture]") {
+    const ScratchFolder folder;
+    write_file(folder / "grey.tga", "\0\0\3\0\0\0\0\0\0\0\0\0\2\0\1\0\x10\x28\x33\x66\xff\0"s);
+    const std::optional<Pixels> grey = read(folder / "grey.tga");
+    REQUIRE(grey);
+    CHECK(grey->values == std::vector<std::vector<float>>{{51 / 255.0f, 102 / 255.0f}, {1, 0}});
+}
+
 TEST_CASE("A few bytes cannot claim a huge picture", "[picture]") {
     const ScratchFolder folder;
     rusage before{};

@@ -213,6 +213,41 @@ TEST_CASE("the place under the pointer stays there when the wheel turns or the p
     }
 }
 
+TEST_CASE("a body turns with its surface, however near it is") {
+    const auto turned = [](double zoom) {
+        const NoWindow none;
+        Document document = document_from_json(R"({"view": "sphere"})");
+        set_parameter(document, "zoom", zoom);
+        Session session(document, "");
+        const double before = std::get<render::Body>(session.document().request.view).yaw;
+        drag({400, 300}, {440, 300}, [&] { handle_input(session, 800, 600); });
+        return std::get<render::Body>(session.document().request.view).yaw - before;
+    };
+    CHECK(std::abs(turned(1)) > 5);
+    CHECK(turned(4) == Approx(turned(1) / 4));
+}
+
+TEST_CASE("a ramp keeps two colours") {
+    const auto text = [](const std::vector<ColourStop>& ramp) {
+        const NoWindow none;
+        Document document = document_of({});
+        document.ramp = ramp;
+        Session session(document, "");
+        std::string drawn;
+        frame({0, 0}, [&] {
+            ImGui::Begin("colours");
+            ImGui::LogToBuffer(0);
+            ramp_editor(session);
+            drawn = ImGui::GetCurrentContext()->LogBuffer.c_str();
+            ImGui::LogFinish();
+            ImGui::End();
+        });
+        return drawn;
+    };
+    CHECK(text({{0, {0, 0, 0}}, {0.5f, {1, 0, 0}}, {1, {1, 1, 1}}}).find("remove") != std::string::npos);
+    CHECK(text({{0, {0, 0, 0}}, {1, {1, 1, 1}}}).find("remove") == std::string::npos);
+}
+
 TEST_CASE("a colour stays between its neighbours") {
     for (const std::size_t stop : {0u, 1u, 2u, 3u})
         for (const float target : {0.02f, 0.98f}) {
