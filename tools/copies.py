@@ -55,15 +55,20 @@ def struct_rows(*trees):
     return "\n".join(lines) + "\n"
 
 
-def materials(tree):
-    """Returns the page's JSON: the controls of materials, and the program's presets that are materials."""
-    controls = [{"name": option, "kind": kind, "min": usual[0], "max": usual[1], "value": numbers if kind == "colour" else numbers[0],
-                 "about": about} for option, kind, _, usual, numbers, about in parameters(tree)]
+def controls(tree):
+    """Returns the page's JSON for the controls of materials, or of boards."""
+    return ",\n".join(json.dumps({"name": option, "kind": kind, "min": usual[0], "max": usual[1],
+                                  "value": numbers if kind == "colour" else numbers[0], "about": about})
+                      for option, kind, _, usual, numbers, about in parameters(tree))
+
+
+def materials(of_materials, of_boards):
+    """Returns the page's JSON: the controls of materials and of boards, and the program's presets that are materials."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "presets").glob("*.json"))}
-    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|.*\.", key)}
-               for name, preset in presets.items() if "material" in preset and "boards" not in preset}
-    lines = (",\n".join(map(json.dumps, controls)), ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets))
-    return '{"controls": [\n%s],\n"presets": {\n%s}}\n' % lines
+    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|.*\.", key)}
+               for name, preset in presets.items() if "material" in preset}
+    lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets)
+    return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'
 
 
 def dense(wgsl):
@@ -83,7 +88,7 @@ def made(shader, in_wgsl):
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
-    texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"])}
+    texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
     page = DEMO.read_text()
     existing = {match[2]: match[0].removeprefix(match[1]).removesuffix(match[3]) for match in IN_PAGE.finditer(page)}
     for i, path in enumerate(SEA):

@@ -146,7 +146,8 @@ const settingsOf = tab => Object.fromEntries(TABS[tab].controls.map(each => [eac
 const OPTIONS = {
     erosion: [{ octaves: 3 }],
     sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }],
-    materials: [...new Set(MATERIALS.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset })),
+    materials: [...new Set(MATERIALS.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset }))
+        .concat({ preset: "oak-planks", boards: true }),
     noise: [{ look: "plain", taps: 2 }, { look: "relief", taps: 4 }, ...["plain", "relief", "colours", "evolving"].map(look => ({ look }))],
 };
 const optionsOf = tab => OPTIONS[tab] ?? TABS[tab].controls.filter(each => each.options)
