@@ -1,13 +1,16 @@
 // gabor_compose.glsl: materials together, as planks and tiles, one over another, or worn.
 //
-// Paste or include this file after gabor_materials.glsl.
+// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl, gabor_filter.glsl for filtered materials, and
+// gabor_materials.glsl.
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
 //     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
-//     GaborMaterial dusty = gabor_covered(m, gabor_sand(p, 8u), 0.02);                 // sand where it lies above m
-//     GaborMaterial rubbed = gabor_worn(m, gabor_brushed_metal(p, 8u), 0.01);          // metal where m stands out
+//
+//     GaborMaterial sand = gabor_sand_filtered(p, dFdx(p), dFdy(p), 8u);              // a layer
+//     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
+//     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
 //     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
@@ -17,8 +20,8 @@
 //     no two objects alike                   another seed for each
 //
 // The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the heights
-// differ within a pixel.
+// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
+// heights differ within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -36,10 +39,10 @@ struct GaborBoards {
     float width;  // width of the boards along x, in units, 0.05 to 10
     float reach;  // length of the boards along y, in units, 0.05 to 20
     float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
-    float turns;  // share of the boards that are turned by a quarter turn, 0 to 1
+    float turns;  // share of the boards whose material is turned by a quarter turn, 0 to 1
     float shades; // how much darker the darkest boards are than the material, 0 to 1
     float gap;    // width of the joints, in units, 0 to 0.2
-    float depth;  // depth of the joints, in units, 0 to 0.2
+    float depth;  // depth of the joints below height 0, in units, 0 to 0.2
 };
 
 // The board at a point.
@@ -57,8 +60,9 @@ struct GaborBoard {
 //     Planks of half by three units.
 
 // GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed)
-//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter. If `period` is not vec2(0.0),
-//     the boards repeat after it: it holds a whole number of boards. Give the material itself no period.
+//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter: a pixel of several boards shows
+//     one of them, in their mean shade. If `period` is not vec2(0.0), the boards repeat after it: their size and shift
+//     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
@@ -103,12 +107,18 @@ vec2 gabor_impl_board_index(vec2 index, vec2 count) {
 
 GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed) {
     vec2 size = vec2(boards.width, boards.reach), count = vec2(0.0);
-    if (period.x > 0.0) {
+    bool rows = size.x > size.y;
+    float shift = boards.shift;
+    if (period.x > 0.0) { // the last row is shifted against the first one as against its neighbour
         count = max(floor(period / size + 0.5), vec2(1.0));
+        float lines = rows ? count.y : count.x, rest = fract(lines * shift);
+        if (abs(rest - 0.5) < 0.25) lines += 1.0;
+        shift = floor(lines * shift + 0.5) / lines;
+        count = rows ? vec2(count.x, lines) : vec2(lines, count.y);
         size = period / count;
     }
     vec2 at = p / size, line = gabor_impl_board_index(floor(at), count);
-    at += size.x > size.y ? vec2(fract(boards.shift * line.y), 0.0) : vec2(0.0, fract(boards.shift * line.x));
+    at += rows ? vec2(fract(shift * line.y), 0.0) : vec2(0.0, fract(shift * line.x));
     vec2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
     uint salt = gabor_impl_salt(seed);
     uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);

@@ -52,14 +52,15 @@ void print_recipes(bool as_json) {
 }
 
 void print_material(const std::string& name) {
+    const bool boards = name == "boards";
+    const auto group = boards ? render::Parameter::Group::boards : render::Parameter::Group::material;
     render::Request request;
-    render::set(request, "material", name);
+    render::set(request, "material", boards ? "wood" : name);
     request.boards = true;
-    for (const auto group : {render::Parameter::Group::material, render::Parameter::Group::boards})
-        for (const render::Parameter& p : render::parameters())
-            if (p.group == group && p.scope.holds(request))
-                fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
-                           render::to_text(*p.get(request)));
+    for (const render::Parameter& p : render::parameters())
+        if (p.group == group && p.scope.holds(request))
+            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
+                       render::to_text(*p.get(request)));
 }
 
 } // namespace
@@ -71,7 +72,8 @@ void add_devices_command(CLI::App& app) {
 
 void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
-    CLI::App* command = app.add_subcommand("materials", "List the materials, or the options of one of them");
+    CLI::App* command =
+        app.add_subcommand("materials", "List the materials, or the options of one of them or of boards");
     add_option(*command, "MATERIAL", *name, "", fmt::format("{}", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())

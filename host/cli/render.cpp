@@ -198,6 +198,10 @@ void render_map_set(const RenderOptions& options) {
         render::set_side(request, render::map_side);
         if (gives("scale"))
             request.scale = scale;
+    } else if (options.preset && !gives("scale")) { // as much as the preset's picture shows
+        const render::Request made = render::preset(*options.preset);
+        request.scale *=
+            static_cast<double>(std::min(request.width, request.height)) / std::min(made.width, made.height);
     }
     const bool terrain = render::has_terrain(request);
     if (!work.scaled)

@@ -122,6 +122,8 @@ constexpr Constant sea{"the ocean view", has_sea};
 std::string other_than(const Scope& scope, const Request& request) {
     if (scope.described.find("lobe") != scope.described.npos && request.lobes.size() > 1)
         return fmt::format("{} lobes", request.lobes.size());
+    if (request.material != no_material && scope.described == scopes::laid.described)
+        return request.material + " without boards";
     return scope.described.ends_with(" view") || request.material == no_material
                ? std::string(name_of(request.view))
                : request.material;
@@ -243,7 +245,9 @@ std::vector<Parameter> noise_rows() {
             "`gabor materials NAME` lists the options of one material, such as --wood.rings",
             in_request(&Request::material), std::move(with_none)),
         row("boards", Kind::flag, "", none, none, scopes::of_material,
-            "Lay the material as planks or tiles, with joints between them", in_request(&Request::boards)),
+            "Lay the material as planks or tiles, with joints between them. Whole boards fill a tile. `gabor "
+            "materials boards` lists the options of boards",
+            in_request(&Request::boards)),
         row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",

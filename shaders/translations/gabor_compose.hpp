@@ -3,14 +3,17 @@
 //
 // gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
 //
-// Paste or include this file after gabor_materials.hpp.
+// Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp for filtered materials, and
+// gabor_materials.hpp.
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
 //     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
-//     GaborMaterial dusty = gabor_covered(m, gabor_sand(p, 8u), 0.02);                 // sand where it lies above m
-//     GaborMaterial rubbed = gabor_worn(m, gabor_brushed_metal(p, 8u), 0.01);          // metal where m stands out
+//
+//     GaborMaterial sand = gabor_sand_filtered(p, dFdx(p), dFdy(p), 8u);              // a layer
+//     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
+//     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
 //     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
@@ -20,8 +23,8 @@
 //     no two objects alike                   another seed for each
 //
 // The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the heights
-// differ within a pixel.
+// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
+// heights differ within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -41,10 +44,10 @@ struct GaborBoards {
     float width;  // width of the boards along x, in units, 0.05 to 10
     float reach;  // length of the boards along y, in units, 0.05 to 20
     float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
-    float turns;  // share of the boards that are turned by a quarter turn, 0 to 1
+    float turns;  // share of the boards whose material is turned by a quarter turn, 0 to 1
     float shades; // how much darker the darkest boards are than the material, 0 to 1
     float gap;    // width of the joints, in units, 0 to 0.2
-    float depth;  // depth of the joints, in units, 0 to 0.2
+    float depth;  // depth of the joints below height 0, in units, 0 to 0.2
 };
 
 // The board at a point.
@@ -62,8 +65,9 @@ struct GaborBoard {
 //     Planks of half by three units.
 
 // GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed)
-//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter. If `period` is not vec2(0.0),
-//     the boards repeat after it: it holds a whole number of boards. Give the material itself no period.
+//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) without a filter: a pixel of several boards shows
+//     one of them, in their mean shade. If `period` is not vec2(0.0), the boards repeat after it: their size and shift
+//     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
@@ -108,12 +112,18 @@ GABOR_INLINE gabor_vec2 gabor_impl_board_index(gabor_vec2 index, gabor_vec2 coun
 
 GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBoards boards, std::uint32_t seed) {
     gabor_vec2 size = gabor_vec2(boards.width, boards.reach), count = gabor_vec2(0.0f);
-    if (period.x > 0.0f) {
+    bool rows = size.x > size.y;
+    float shift = boards.shift;
+    if (period.x > 0.0f) { // the last row is shifted against the first one as against its neighbour
         count = gabor_cpp_max(gabor_cpp_floor(period / size + 0.5f), gabor_vec2(1.0f));
+        float lines = rows ? count.y : count.x, rest = gabor_cpp_fract(lines * shift);
+        if (gabor_cpp_abs(rest - 0.5f) < 0.25f) lines += 1.0f;
+        shift = gabor_cpp_floor(lines * shift + 0.5f) / lines;
+        count = rows ? gabor_vec2(count.x, lines) : gabor_vec2(lines, count.y);
         size = period / count;
     }
     gabor_vec2 at = p / size, line_ = gabor_impl_board_index(gabor_cpp_floor(at), count);
-    at += size.x > size.y ? gabor_vec2(gabor_cpp_fract(boards.shift * line_.y), 0.0f) : gabor_vec2(0.0f, gabor_cpp_fract(boards.shift * line_.x));
+    at += rows ? gabor_vec2(gabor_cpp_fract(shift * line_.y), 0.0f) : gabor_vec2(0.0f, gabor_cpp_fract(shift * line_.x));
     gabor_vec2 cell = gabor_cpp_floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5f) * size;
     std::uint32_t salt = gabor_impl_salt(seed);
     std::uint32_t word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);

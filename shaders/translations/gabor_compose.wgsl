@@ -1,16 +1,20 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 62a6f00ab6288058.
+// naga 30.0.1 made it from GLSL with the digest f463055900d3827b.
+// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
-// Paste or include this file after gabor_materials.wgsl.
+// Paste or include this file after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl for filtered materials, and
+// gabor_materials.wgsl.
 //
 //     GaborBoards planks = gabor_boards_default();
-//     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2f(0.0), planks, 7u);      // the one at p
+//     GaborBoard board = gabor_board(p, dpdx(p), dpdy(p), vec2f(0.0), planks, 7u);      // the one at p
 //     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
-//     GaborMaterial dusty = gabor_covered(m, gabor_sand(p, 8u), 0.02);                 // sand where it lies above m
-//     GaborMaterial rubbed = gabor_worn(m, gabor_brushed_metal(p, 8u), 0.01);          // metal where m stands out
+//
+//     GaborMaterial sand = gabor_sand_filtered(p, dpdx(p), dpdy(p), 8u);              // a layer
+//     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
+//     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
 //     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
@@ -20,8 +24,8 @@
 //     no two objects alike                   another seed for each
 //
 // The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the heights
-// differ within a pixel.
+// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
+// heights differ within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -29,33 +33,34 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    joint: vec3<f32>,
-    width: f32,
-    reach: f32,
-    shift: f32,
-    turns: f32,
-    shades: f32,
-    gap: f32,
-    depth: f32,
+    joint: vec3<f32>, // colour of the joints
+    width: f32, // width of the boards along x, in units, 0.05 to 10
+    reach: f32, // length of the boards along y, in units, 0.05 to 20
+    shift: f32, // shift of each column or row from the one before it, in boards, 0 to 1
+    turns: f32, // share of the boards whose material is turned by a quarter turn, 0 to 1
+    shades: f32, // how much darker the darkest boards are than the material, 0 to 1
+    gap: f32, // width of the joints, in units, 0 to 0.2
+    depth: f32, // depth of the joints below height 0, in units, 0 to 0.2
 }
 
 // The board at a point.
 struct GaborBoard {
-    p: vec2<f32>,
-    dx: vec2<f32>,
+    p: vec2<f32>, // where to evaluate its material
+    dx: vec2<f32>, // the pixel there, for a filtered material
     dy: vec2<f32>,
-    seed: u32,
-    turn: vec2<f32>,
-    tone: f32,
-    joint: vec3<f32>,
+    seed: u32, // the board's own seed for its material
+    turn: vec2<f32>, // cosine and sine of its turn
+    tone: f32, // factor for its colours
+    joint: vec3<f32>, // how much of the pixel is a joint, and the derivatives of that along x and y
 }
 
 // GaborBoards gabor_boards_default()
 //     Planks of half by three units.
 
 // GaborBoard gabor_board(vec2f p, vec2f dx, vec2f dy, vec2f period, GaborBoards boards, u32 seed)
-//     The board at p. dx and dy are dFdx(p) and dFdy(p), or vec2f(0.0) without a filter. If `period` is not vec2f(0.0),
-//     the boards repeat after it: it holds a whole number of boards. Give the material itself no period.
+//     The board at p. dx and dy are dpdx(p) and dpdy(p), or vec2f(0.0) without a filter: a pixel of several boards shows
+//     one of them, in their mean shade. If `period` is not vec2f(0.0), the boards repeat after it: their size and shift
+//     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
@@ -133,16 +138,22 @@ fn gabor_impl_board_index(index: vec2<f32>, count: vec2<f32>) -> vec2<f32> {
 fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, boards: GaborBoards, seed: u32) -> GaborBoard {
     var size_4: vec2<f32>;
     var count_13: vec2<f32> = vec2(0f);
+    var rows_5: bool;
+    var shift: f32;
+    var local_86: f32;
+    var lines: f32;
+    var rest: f32;
+    var local_87: vec2<f32>;
     var at_13: vec2<f32>;
     var line_6: vec2<f32>;
-    var local_86: vec2<f32>;
+    var local_88: vec2<f32>;
     var cell_5: vec2<f32>;
     var index_15: vec2<f32>;
-    var local_87: vec2<f32>;
+    var local_89: vec2<f32>;
     var salt_16: u32;
     var word_6: u32;
     var random: u32;
-    var local_88: vec2<f32>;
+    var local_90: vec2<f32>;
     var turn_16: vec2<f32>;
     var back_1: vec2<f32>;
     var wide_3: vec2<f32>;
@@ -152,105 +163,144 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var along_4: vec2<f32>;
     var free: vec2<f32>;
     size_4 = vec2<f32>(boards.width, boards.reach);
+    let _e13 = size_4;
+    let _e15 = size_4;
+    rows_5 = (_e13.x > _e15.y);
+    shift = boards.shift;
     if (period.x > 0f) {
         {
-            let _e16 = size_4;
-            count_13 = max(floor(((period / _e16) + vec2(0.5f))), vec2(1f));
-            let _e25 = count_13;
-            size_4 = (period / _e25);
+            let _e24 = size_4;
+            count_13 = max(floor(((period / _e24) + vec2(0.5f))), vec2(1f));
+            let _e33 = rows_5;
+            if _e33 {
+                let _e34 = count_13;
+                local_86 = _e34.y;
+            } else {
+                let _e36 = count_13;
+                local_86 = _e36.x;
+            }
+            let _e39 = local_86;
+            lines = _e39;
+            let _e41 = lines;
+            let _e42 = shift;
+            rest = fract((_e41 * _e42));
+            let _e46 = rest;
+            if (abs((_e46 - 0.5f)) < 0.25f) {
+                let _e52 = lines;
+                lines = (_e52 + 1f);
+            }
+            let _e55 = lines;
+            let _e56 = shift;
+            let _e61 = lines;
+            shift = (floor(((_e55 * _e56) + 0.5f)) / _e61);
+            let _e63 = rows_5;
+            if _e63 {
+                let _e64 = count_13;
+                let _e66 = lines;
+                local_87 = vec2<f32>(_e64.x, _e66);
+            } else {
+                let _e68 = lines;
+                let _e69 = count_13;
+                local_87 = vec2<f32>(_e68, _e69.y);
+            }
+            let _e73 = local_87;
+            count_13 = _e73;
+            let _e74 = count_13;
+            size_4 = (period / _e74);
         }
     }
-    let _e27 = size_4;
-    at_13 = (p / _e27);
-    let _e30 = at_13;
-    let _e32 = count_13;
-    let _e33 = gabor_impl_board_index(floor(_e30), _e32);
-    line_6 = _e33;
-    let _e35 = at_13;
-    let _e36 = size_4;
-    let _e38 = size_4;
-    if (_e36.x > _e38.y) {
-        let _e42 = line_6;
-        local_86 = vec2<f32>(fract((boards.shift * _e42.y)), 0f);
+    let _e76 = size_4;
+    at_13 = (p / _e76);
+    let _e79 = at_13;
+    let _e81 = count_13;
+    let _e82 = gabor_impl_board_index(floor(_e79), _e81);
+    line_6 = _e82;
+    let _e84 = at_13;
+    let _e85 = rows_5;
+    if _e85 {
+        let _e86 = shift;
+        let _e87 = line_6;
+        local_88 = vec2<f32>(fract((_e86 * _e87.y)), 0f);
     } else {
-        let _e50 = line_6;
-        local_86 = vec2<f32>(0f, fract((boards.shift * _e50.x)));
+        let _e94 = shift;
+        let _e95 = line_6;
+        local_88 = vec2<f32>(0f, fract((_e94 * _e95.x)));
     }
-    let _e56 = local_86;
-    at_13 = (_e35 + _e56);
-    let _e58 = at_13;
-    cell_5 = floor(_e58);
-    let _e61 = cell_5;
-    let _e62 = count_13;
-    let _e63 = gabor_impl_board_index(_e61, _e62);
-    index_15 = _e63;
-    let _e65 = at_13;
-    let _e66 = cell_5;
-    let _e71 = size_4;
-    local_87 = (((_e65 - _e66) - vec2(0.5f)) * _e71);
-    let _e74 = gabor_impl_salt(seed);
-    salt_16 = _e74;
-    let _e76 = index_15;
-    let _e79 = salt_16;
-    let _e80 = gabor_impl_line_word(i32(_e76.x), _e79);
-    let _e81 = index_15;
-    let _e84 = salt_16;
-    let _e87 = gabor_impl_line_word(i32(_e81.y), (_e84 ^ 1540483477u));
-    word_6 = (_e80 * _e87);
-    let _e90 = word_6;
-    let _e92 = gabor_lobe_seed(_e90, 1i);
-    random = _e92;
-    let _e94 = random;
-    if (f32((_e94 & 65535u)) < (65536f * boards.turns)) {
-        local_88 = vec2<f32>(0f, 1f);
+    let _e101 = local_88;
+    at_13 = (_e84 + _e101);
+    let _e103 = at_13;
+    cell_5 = floor(_e103);
+    let _e106 = cell_5;
+    let _e107 = count_13;
+    let _e108 = gabor_impl_board_index(_e106, _e107);
+    index_15 = _e108;
+    let _e110 = at_13;
+    let _e111 = cell_5;
+    let _e116 = size_4;
+    local_89 = (((_e110 - _e111) - vec2(0.5f)) * _e116);
+    let _e119 = gabor_impl_salt(seed);
+    salt_16 = _e119;
+    let _e121 = index_15;
+    let _e124 = salt_16;
+    let _e125 = gabor_impl_line_word(i32(_e121.x), _e124);
+    let _e126 = index_15;
+    let _e129 = salt_16;
+    let _e132 = gabor_impl_line_word(i32(_e126.y), (_e129 ^ 1540483477u));
+    word_6 = (_e125 * _e132);
+    let _e135 = word_6;
+    let _e137 = gabor_lobe_seed(_e135, 1i);
+    random = _e137;
+    let _e139 = random;
+    if (f32((_e139 & 65535u)) < (65536f * boards.turns)) {
+        local_90 = vec2<f32>(0f, 1f);
     } else {
-        local_88 = vec2<f32>(1f, 0f);
+        local_90 = vec2<f32>(1f, 0f);
     }
-    let _e109 = local_88;
-    turn_16 = _e109;
-    let _e111 = turn_16;
-    let _e113 = turn_16;
-    back_1 = vec2<f32>(_e111.x, -(_e113.y));
+    let _e154 = local_90;
+    turn_16 = _e154;
+    let _e156 = turn_16;
+    let _e158 = turn_16;
+    back_1 = vec2<f32>(_e156.x, -(_e158.y));
     wide_3 = (0.25f * ((dx * dx) + (dy * dy)));
-    let _e124 = wide_3;
-    let _e125 = size_4;
-    let _e126 = size_4;
-    boards_wide = min((_e124 / (_e125 * _e126)), vec2(4f));
-    let _e135 = boards_wide;
-    let _e137 = boards_wide;
-    mean_9 = exp((-19.739208f * max(_e135.x, _e137.y)));
-    let _e143 = local_87;
-    let _e145 = size_4;
-    let _e148 = wide_3;
-    let _e150 = gabor_impl_joints(_e143.x, _e145.x, boards.gap, _e148.x);
-    across_4 = _e150;
-    let _e152 = local_87;
-    let _e154 = size_4;
-    let _e157 = wide_3;
-    let _e159 = gabor_impl_joints(_e152.y, _e154.y, boards.gap, _e157.y);
-    along_4 = _e159;
-    let _e162 = across_4;
-    let _e164 = along_4;
-    free = (vec2(1f) - vec2<f32>(_e162.x, _e164.x));
-    let _e170 = local_87;
-    let _e171 = back_1;
-    let _e172 = gabor_impl_product(_e170, _e171);
-    let _e173 = back_1;
-    let _e174 = gabor_impl_product(dx, _e173);
-    let _e175 = back_1;
-    let _e176 = gabor_impl_product(dy, _e175);
-    let _e177 = word_6;
-    let _e179 = gabor_lobe_seed(_e177, 0i);
-    let _e180 = turn_16;
-    let _e184 = mean_9;
-    let _e185 = random;
-    let _e198 = free;
-    let _e200 = free;
-    let _e204 = free;
-    let _e206 = across_4;
-    let _e209 = free;
-    let _e211 = along_4;
-    return GaborBoard(_e172, _e174, _e176, _e179, _e180, (1f - (boards.shades * (0.5f + (_e184 * ((f32((_e185 >> 16u)) / 65535f) - 0.5f))))), vec3<f32>((1f - (_e198.x * _e200.y)), (_e204.y * _e206.y), (_e209.x * _e211.y)));
+    let _e169 = wide_3;
+    let _e170 = size_4;
+    let _e171 = size_4;
+    boards_wide = min((_e169 / (_e170 * _e171)), vec2(4f));
+    let _e180 = boards_wide;
+    let _e182 = boards_wide;
+    mean_9 = exp((-19.739208f * max(_e180.x, _e182.y)));
+    let _e188 = local_89;
+    let _e190 = size_4;
+    let _e193 = wide_3;
+    let _e195 = gabor_impl_joints(_e188.x, _e190.x, boards.gap, _e193.x);
+    across_4 = _e195;
+    let _e197 = local_89;
+    let _e199 = size_4;
+    let _e202 = wide_3;
+    let _e204 = gabor_impl_joints(_e197.y, _e199.y, boards.gap, _e202.y);
+    along_4 = _e204;
+    let _e207 = across_4;
+    let _e209 = along_4;
+    free = (vec2(1f) - vec2<f32>(_e207.x, _e209.x));
+    let _e215 = local_89;
+    let _e216 = back_1;
+    let _e217 = gabor_impl_product(_e215, _e216);
+    let _e218 = back_1;
+    let _e219 = gabor_impl_product(dx, _e218);
+    let _e220 = back_1;
+    let _e221 = gabor_impl_product(dy, _e220);
+    let _e222 = word_6;
+    let _e224 = gabor_lobe_seed(_e222, 0i);
+    let _e225 = turn_16;
+    let _e229 = mean_9;
+    let _e230 = random;
+    let _e243 = free;
+    let _e245 = free;
+    let _e249 = free;
+    let _e251 = across_4;
+    let _e254 = free;
+    let _e256 = along_4;
+    return GaborBoard(_e217, _e219, _e221, _e224, _e225, (1f - (boards.shades * (0.5f + (_e229 * ((f32((_e230 >> 16u)) / 65535f) - 0.5f))))), vec3<f32>((1f - (_e243.x * _e245.y)), (_e249.y * _e251.y), (_e254.x * _e256.y)));
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {

@@ -73,7 +73,7 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(int2(
 // GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
-//     the mean height: dx and dy are dFdx(p) and dFdy(p), or float2(0.0) for no filter, and slopes are derivatives for a
+//     the mean height: dx and dy are dfdx(p) and dfdy(p), or float2(0.0) for no filter, and slopes are derivatives for a
 //     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
 //     local is rounded to a float. The nodes per unit of p are a multiple of 1 / 65536, so a mountain that is twice as
 //     large and has half the frequency looks the same only near the origin: within 3e-4 of its height up to 10 units

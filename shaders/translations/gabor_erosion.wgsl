@@ -1,5 +1,6 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest fbddefe383b62833.
+// Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -16,25 +17,25 @@
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
     height: f32,
-    slope: vec2<f32>,
-    ridge: f32,
-    curvature: vec3<f32>,
-    ridge_slope: vec2<f32>,
+    slope: vec2<f32>, // the derivatives of the height along x and y
+    ridge: f32, // from -1 in creases and valleys to 1 on ridges and peaks
+    curvature: vec3<f32>, // the second derivatives of the height: xx, xy and yy
+    ridge_slope: vec2<f32>, // the derivatives of ridge
 }
 
 struct GaborErosion {
-    octaves: i32,
-    frequency: f32,
-    strength: f32,
-    lacunarity: f32,
-    gain: f32,
-    onset: f32,
-    detail: f32,
-    uniformity: f32,
-    ridge_rounding: f32,
-    crease_rounding: f32,
-    gully_weight: f32,
-    branching: f32,
+    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    strength: f32, // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
+    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
+    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+    detail: f32, // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
+    ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
+    crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
+    gully_weight: f32, // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    branching: f32, // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 }
 
 // GaborErosion gabor_erosion()
@@ -52,16 +53,16 @@ struct GaborErosion {
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
 struct GaborTerrainPlace {
-    cell: vec2<i32>,
-    local: vec2<f32>,
-    period: vec2<f32>,
+    cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis
+    local: vec2<f32>, // most precise in [0, 1)^2
+    period: vec2<f32>, // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
 }
 
 // GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, u32 seed)
 // GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion,
 //                              u32 seed)
 //     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
-//     the mean height: dx and dy are dFdx(p) and dFdy(p), or vec2f(0.0) for no filter, and slopes are derivatives for a
+//     the mean height: dx and dy are dpdx(p) and dpdy(p), or vec2f(0.0) for no filter, and slopes are derivatives for a
 //     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
 //     local is rounded to a f32. The nodes per unit of p are a multiple of 1 / 65536, so a mountain that is twice as
 //     large and has half the frequency looks the same only near the origin: within 3e-4 of its height up to 10 units

@@ -5,7 +5,7 @@
 // Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, the default; and after gabor_spectrum.metal, if you
 // filter its noises.
 //
-//     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
+//     float2 f = gabor_noise_filtered(p, dfdx(p), dfdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
 //     I want                                   call
 //     filtered noise                           gabor_noise_filtered
@@ -15,7 +15,7 @@
 //     noise on meshes, filtered                gabor_filter_3d.metal
 //
 // Arguments of all functions, besides those of gabor_noise.metal:
-//     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
+//     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dfdx(p) and dfdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 // A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,

@@ -1,12 +1,13 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest 2a272e1ee73cd25f.
+// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
 // Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if you
 // filter its noises.
 //
-//     vec2f f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
+//     vec2f f = gabor_noise_filtered(p, dpdx(p), dpdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
 //     I want                                   call
 //     filtered noise                           gabor_noise_filtered
@@ -16,7 +17,7 @@
 //     noise on meshes, filtered                gabor_filter_3d.wgsl
 //
 // Arguments of all functions, besides those of gabor_noise.wgsl:
-//     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
+//     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dpdx(p) and dpdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 // A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
@@ -100,7 +101,7 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
 struct GaborFootprint {
     covariance: vec3<f32>,
-    resolved: vec3<f32>,
+    resolved: vec3<f32>, // the same, limited to standard deviations of 1/2, the most that the windows allow
 }
 
 fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
@@ -371,14 +372,14 @@ struct GaborFilteredAxis {
     odd_1_: vec3<f32>,
     odd_2_: vec3<f32>,
     odd_3_: vec3<f32>,
-    reach: f32,
-    offset: f32,
-    count: i32,
-    first: i32,
+    reach: f32, // w, in node spacings
+    offset: f32, // offset of the point from the first node, in node spacings
+    count: i32, // number of nodes, 4 or 5
+    first: i32, // index of the first node
     period: i32,
     salt: u32,
-    turn_back: vec2<f32>,
-    back: vec2<f32>,
+    turn_back: vec2<f32>, // turn of the wave q = 1 / 2w from one node to the next
+    back: vec2<f32>, // the same for the noise's wave
 }
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
@@ -555,9 +556,9 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
 struct GaborFilteredLine {
     word: u32,
     window: GaborFactors,
-    fade: vec2<f32>,
-    turn: vec2<f32>,
-    phase: vec2<f32>,
+    fade: vec2<f32>, // factor of the window, and its derivative
+    turn: vec2<f32>, // e^(2 pi i d / 2w)
+    phase: vec2<f32>, // the same for the noise's wave
 }
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.

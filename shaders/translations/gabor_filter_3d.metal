@@ -4,7 +4,7 @@
 //
 // Paste or include this file after gabor_noise.metal, gabor_filter.metal and gabor_noise_3d.metal.
 //
-//     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
+//     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dfdx(p), dfdy(p), 2.0, 7u);
 //
 // dx and dy are the change of p, in kernel radii, from one pixel to the next along x and y; a field's `removed` is the
 // share of the variance that averaging removed: see gabor_filter.metal.

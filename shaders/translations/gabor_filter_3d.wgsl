@@ -1,11 +1,12 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest b25d4a93ddec6a53.
+// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
 // Paste or include this file after gabor_noise.wgsl, gabor_filter.wgsl and gabor_noise_3d.wgsl.
 //
-//     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
+//     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dpdx(p), dpdy(p), 2.0, 7u);
 //
 // dx and dy are the change of p, in kernel radii, from one pixel to the next along x and y; a field's `removed` is the
 // share of the variance that averaging removed: see gabor_filter.wgsl.
@@ -42,7 +43,7 @@
 // A symmetric 3 x 3 matrix.
 struct GaborMatrix {
     diagonal: vec3<f32>,
-    mixed: vec3<f32>,
+    mixed: vec3<f32>, // yz, zx, xy
 }
 
 fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
@@ -712,11 +713,11 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
 // A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
 // deviation of its ends.
 struct GaborFilteredNode {
-    offset: f32,
+    offset: f32, // offset of the point from the node
     middle: f32,
     cosine: f32,
     sine: f32,
-    faded: f32,
+    faded: f32, // derivative of the logarithm of the fade
 }
 
 fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredNode {

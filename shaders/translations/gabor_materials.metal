@@ -6,7 +6,7 @@
 // gabor_filter.metal.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
-//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
+//     GaborMaterial f = gabor_wood_filtered(p, dfdx(p), dfdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
@@ -14,7 +14,7 @@
 //
 //     I want                                   call
 //     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
-//     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
+//     the same without moire, at any distance  gabor_wood_filtered(p, dfdx(p), dfdy(p), seed)
 //     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
 //     a normal                                 normalize(float3(-m.slope, 1.0)), in the space of p
 //     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
@@ -60,7 +60,7 @@ struct GaborMaterial {
 // GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed)
 // GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed)
 //
-// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dfdx(p) and dfdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, float2(0.0)
 // for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //

@@ -1,5 +1,6 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest aa765cc2d73c4453.
+// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -7,7 +8,7 @@
 // gabor_filter.wgsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
-//     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
+//     GaborMaterial f = gabor_wood_filtered(p, dpdx(p), dpdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
@@ -15,7 +16,7 @@
 //
 //     I want                                   call
 //     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
-//     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
+//     the same without moire, at any distance  gabor_wood_filtered(p, dpdx(p), dpdy(p), seed)
 //     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
 //     a normal                                 normalize(vec3f(-m.slope, 1.0)), in the space of p
 //     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
@@ -25,12 +26,12 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 struct GaborMaterial {
-    colour: vec3<f32>,
-    height: f32,
-    slope: vec2<f32>,
-    roughness: f32,
-    metalness: f32,
-    lost: vec3<f32>,
+    colour: vec3<f32>, // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
+    height: f32, // height in units of p
+    slope: vec2<f32>, // derivatives of the height along x and y
+    roughness: f32, // roughness as in glTF, without what the filter removed
+    metalness: f32, // 0 or 1, or between them at the edges of patina
+    lost: vec3<f32>, // covariance of the slopes that the filter removed: xx, yy, xy
 }
 
 // f32 gabor_roughness(GaborMaterial material)
@@ -48,7 +49,7 @@ struct GaborMaterial {
 // GaborMaterial gabor_wood_at(vec2f p, vec2f period, GaborWood wood, u32 seed)
 // GaborMaterial gabor_wood_filtered_at(vec2f p, vec2f dx, vec2f dy, vec2f period, GaborWood wood, u32 seed)
 //
-// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dpdx(p) and dpdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2f(0.0)
 // for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //
@@ -59,121 +60,121 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    early: vec3<f32>,
-    late: vec3<f32>,
-    rings: f32,
-    waviness: f32,
-    pores: f32,
-    roughness: f32,
+    early: vec3<f32>, // colour of the early wood
+    late: vec3<f32>, // colour of the late wood
+    rings: f32, // growth rings per unit, 2 to 60
+    waviness: f32, // how much the rings bend, 0 to 3
+    pores: f32, // strength of the pores, 0 to 1
+    roughness: f32, // roughness of the early wood, 0 to 1
 }
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    warp: vec3<f32>,
-    weft: vec3<f32>,
-    threads: f32,
-    unevenness: f32,
-    relief: f32,
-    roughness: f32,
-    cords: f32,
-    weave: f32,
+    warp: vec3<f32>, // colour of the threads along y
+    weft: vec3<f32>, // colour of the threads along x
+    threads: f32, // threads per unit, 2 to 60
+    unevenness: f32, // unevenness of the threads' thickness, shade and course, 0 to 2
+    relief: f32, // height of the weave and of the cords, relative to the default, 0 to 3
+    roughness: f32, // 0 to 1
+    cords: f32, // cords per unit, 0 to 20
+    weave: f32, // plain weave, twill or herringbone, 0 to 2
 }
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    pebble: vec3<f32>,
-    crease: vec3<f32>,
-    cells: f32,
-    wrinkles: f32,
-    relief: f32,
-    roughness: f32,
+    pebble: vec3<f32>, // colour of the cells
+    crease: vec3<f32>, // colour between the cells
+    cells: f32, // cells per unit, 2 to 30
+    wrinkles: f32, // how much the rows of cells bend, 0 to 3
+    relief: f32, // height of the cells, relative to the default, 0 to 3
+    roughness: f32, // roughness of the cells, 0 to 0.7
 }
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    stone: vec3<f32>,
-    vein: vec3<f32>,
-    veins: f32,
-    turbulence: f32,
-    clouds: f32,
-    roughness: f32,
+    stone: vec3<f32>, // colour of the stone
+    vein: vec3<f32>, // colour of the darkest veins
+    veins: f32, // strength of the veins, 0 to 1.3
+    turbulence: f32, // how much the veins bend, 0 to 2
+    clouds: f32, // darkening by clouds, 0 to 1
+    roughness: f32, // 0 to 1
 }
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    trough: vec3<f32>,
-    crest: vec3<f32>,
-    ripples: f32,
-    relief: f32,
-    grain: f32,
-    roughness: f32,
+    trough: vec3<f32>, // colour of the troughs
+    crest: vec3<f32>, // colour of the crests
+    ripples: f32, // ripples per unit, 1 to 20
+    relief: f32, // height of the ripples, in units, 0 to 0.2
+    grain: f32, // contrast of the grains, 0 to 0.25
+    roughness: f32, // 0 to 1
 }
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    colour: vec3<f32>,
-    patina: vec3<f32>,
-    streaks: f32,
-    contrast: f32,
-    relief: f32,
-    roughness: f32,
-    weathering: f32,
+    colour: vec3<f32>, // colour of the metal
+    patina: vec3<f32>, // colour of the patina
+    streaks: f32, // number of the widest streaks per unit, 1 to 50
+    contrast: f32, // contrast of the streaks, 0 to 0.5
+    relief: f32, // height of the widest streaks, in units, 0 to 0.01
+    roughness: f32, // roughness of the metal, 0 to 1
+    weathering: f32, // amount of patina, 0 to 1
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    lacquer: vec3<f32>,
-    scratch: vec3<f32>,
-    amount: f32,
-    reach: f32,
-    direction: f32,
-    spread: f32,
-    depth: f32,
-    roughness: f32,
+    lacquer: vec3<f32>, // colour of the lacquer
+    scratch: vec3<f32>, // colour in the scratches
+    amount: f32, // number of scratches, relative to the default, 0.01 to 8
+    reach: f32, // length of the scratches, in units, 0.3 to 10
+    direction: f32, // mean direction of the scratches, -6.2832 to 6.2832 radians
+    spread: f32, // range of the scratches' directions, 0 to 3.1416 radians
+    depth: f32, // depth of the scratches, in units, 0 to 0.02
+    roughness: f32, // 0 to 1
 }
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    bright: vec3<f32>,
-    stripe: vec3<f32>,
-    stripes: f32,
-    direction: f32,
-    bends: f32,
-    hair: f32,
-    roughness: f32,
+    bright: vec3<f32>, // colour between the stripes
+    stripe: vec3<f32>, // colour of the stripes
+    stripes: f32, // stripes per unit, 0.5 to 20
+    direction: f32, // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
+    bends: f32, // how much the stripes' direction changes, 0 to 1.5708 radians
+    hair: f32, // contrast of the hair, 0 to 3
+    roughness: f32, // 0 to 1
 }
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    plate: vec3<f32>,
-    furrow: vec3<f32>,
-    moss: vec3<f32>,
-    furrows: f32,
-    cover: f32,
-    depth: f32,
-    roughness: f32,
+    plate: vec3<f32>, // colour of the plates
+    furrow: vec3<f32>, // colour of the furrows
+    moss: vec3<f32>, // colour of the moss
+    furrows: f32, // furrows per unit, 0.5 to 10
+    cover: f32, // amount of moss, 0 to 1
+    depth: f32, // depth of the furrows, in units, 0 to 0.4
+    roughness: f32, // 0 to 1
 }
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    colour: vec3<f32>,
-    tows: f32,
-    contrast: f32,
-    relief: f32,
-    roughness: f32,
+    colour: vec3<f32>, // colour of the fibres
+    tows: f32, // tows per unit, 1 to 20
+    contrast: f32, // contrast of the fibres, 0 to 0.6
+    relief: f32, // height of the tows, relative to the default, 0 to 3
+    roughness: f32, // 0 to 1
 }
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    rock: vec3<f32>,
-    sandstone: vec3<f32>,
-    red: vec3<f32>,
-    pale: vec3<f32>,
-    layers: f32,
-    folds: f32,
-    relief: f32,
-    roughness: f32,
+    rock: vec3<f32>, // colour of the darker rock
+    sandstone: vec3<f32>, // colour of the lighter rock
+    red: vec3<f32>, // colour of the soft layers
+    pale: vec3<f32>, // colour of the thin layers
+    layers: f32, // layers per unit, 1 to 30
+    folds: f32, // how much the layers bend, 0 to 3
+    relief: f32, // height of the layers, relative to the default, 0 to 3
+    roughness: f32, // 0 to 1
 }
 
 // ====================================================================================================================

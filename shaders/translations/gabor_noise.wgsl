@@ -72,11 +72,11 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
-    cell: vec2<i32>,
-    local: vec2<f32>,
-    radius: vec2<f32>,
-    period: vec2<i32>,
-    moment: f32,
+    cell: vec2<i32>, // any integers except the last few before 2^31, where the world wraps around
+    local: vec2<f32>, // offset from that cell's corner in node spacings, most precise in [0, 1)^2
+    radius: vec2<f32>, // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
+    period: vec2<i32>, // period in nodes, 0 for none
+    moment: f32, // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 }
 
 // GaborPlace gabor_place_at(vec2f p)
@@ -100,7 +100,7 @@ struct GaborField {
     gradient: vec2<f32>,
     quadrature: f32,
     quadrature_gradient: vec2<f32>,
-    removed: f32,
+    removed: f32, // share of the variance that a filter removed, 0 without one: see gabor_filter.wgsl
 }
 
 // GaborField gabor_field(GaborPlace place, vec2f wave, u32 seed)
@@ -351,10 +351,10 @@ fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
 
 // The nodes along an axis whose windows reach a point.
 struct GaborAxis {
-    offset: f32,
-    turns: f32,
+    offset: f32, // offset of the point from node 0, in node spacings
+    turns: f32, // turns of the wave from one node to the next
     word: array<u32, 4>,
-    node: array<vec4<f32>, 4>,
+    node: array<vec4<f32>, 4>, // for node k, e^(-i u k) times the window, and times the window's derivative
 }
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.

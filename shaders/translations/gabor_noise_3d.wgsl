@@ -1,5 +1,6 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest 085ad5c7ff97a36a.
+// Paste it after gabor_noise.wgsl.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
 // distribution at every point.
@@ -582,7 +583,7 @@ fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, w
 
 // A node on an axis, with its window and the window's derivative.
 struct GaborNode {
-    offset: f32,
+    offset: f32, // offset of the point from the node
     value: f32,
     slope: f32,
 }

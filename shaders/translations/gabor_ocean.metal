@@ -70,7 +70,7 @@ struct GaborWater {
 
 // GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dFdx(p), dFdy(p).
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dfdx(p), dfdy(p).
 
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.

@@ -1,5 +1,6 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest e8a5f3bb49fb35bf.
+// Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -16,21 +17,21 @@
 
 // Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
-    amplitude: f32,
-    slopes: vec2<f32>,
-    exponent: i32,
-    low: f32,
-    quarter: vec4<f32>,
-    spread: vec3<f32>,
-    widen: vec2<f32>,
-    drift: vec2<i32>,
+    amplitude: f32, // rms height in metres
+    slopes: vec2<f32>, // variance of the slopes along the wind and across it
+    exponent: i32, // the spacing of nodes is 2^exponent metres
+    low: f32, // 65536 times the lowest frequency in Hz
+    quarter: vec4<f32>, // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
+    spread: vec3<f32>, // sin(d / 2) of an angle d from the wind is a u + b u^3 + c v, u and v uniform in [-1, 1], here times 4092,
+    widen: vec2<f32>, // times a linear function of the frequency, here times 16384
+    drift: vec2<i32>, // 32768 times the group velocity in nodes per second
 }
 
 struct GaborOcean {
-    wind: f32,
-    direction: f32,
-    fetch: f32,
-    tail: vec2<f32>,
+    wind: f32, // speed in metres per second, 10 m up
+    direction: f32, // where the waves go: radians from +x towards +y
+    fetch: f32, // metres of open water upwind
+    tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
     band: array<GaborOceanBand, 9>,
 }
 
@@ -42,11 +43,11 @@ struct GaborOcean {
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
-    height: f32,
-    slope: vec2<f32>,
-    shift: vec2<f32>,
-    fold: f32,
-    lost: vec3<f32>,
+    height: f32, // metres, of mean 0 and normally distributed
+    slope: vec2<f32>, // derivatives of the height by p
+    shift: vec2<f32>, // horizontal displacement in metres, towards crests, which it sharpens
+    fold: f32, // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
+    lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
@@ -54,7 +55,7 @@ struct GaborWater {
 
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dFdx(p), dFdy(p).
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dpdx(p), dpdy(p).
 
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.

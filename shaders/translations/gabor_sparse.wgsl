@@ -62,18 +62,18 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
-    wave: vec2<f32>,
-    amplitude: f32,
-    variance_factor: f32,
+    wave: vec2<f32>, // wave vector, cycles per kernel radius
+    amplitude: f32, // K
+    variance_factor: f32, // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 }
 
 // A position in cells, with a period and a time.
 struct GaborPlace {
-    cell: vec2<i32>,
-    local: vec2<f32>,
-    radius: vec2<f32>,
-    period: vec2<i32>,
-    moment: f32,
+    cell: vec2<i32>, // any integers except the last few before 2^31, where the world wraps around
+    local: vec2<f32>, // offset from that cell's corner in cells, most precise in [0, 1)^2
+    radius: vec2<f32>, // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    period: vec2<i32>, // period in cells, 0 for none
+    moment: f32, // time in periods: only its fraction counts
 }
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -161,9 +161,9 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
 // The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
 struct GaborImpulse {
     position_plus_one: vec2<f32>,
-    phase: f32,
-    phase_rate: f32,
-    magnitude: f32,
+    phase: f32, // phase in turns
+    phase_rate: f32, // turns per unit of time: -4 to -1 or 1 to 4
+    magnitude: f32, // magnitude of the weight
 }
 
 fn gabor_impl_impulse(word: u32) -> GaborImpulse {

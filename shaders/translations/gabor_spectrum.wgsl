@@ -1,5 +1,6 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
 // naga 30.0.1 made it from GLSL with the digest e08689e867de1d0f.
+// Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
 //
@@ -50,10 +51,10 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    frequency: f32,
-    orientation: f32,
-    radius: vec2<f32>,
-    power: f32,
+    frequency: f32, // cycles per unit of p, whatever the radius
+    orientation: f32, // as in gabor_noise
+    radius: vec2<f32>, // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+    power: f32, // power relative to the other lobes, not negative
 }
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.

@@ -351,6 +351,29 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
             CHECK(tiled.seed == same.seed);
             CHECK(std::abs(wide(tiled.joint.x) - wide(same.joint.x)) < 1e-3);
         }
+        for (const float shift :
+             {0.5f, 0.25f, 0.38f}) { // in a tile, the last line and the first are neighbours, too
+            boards.shift = shift;
+            const Vec2 period(4, 4);
+            double before = 0;
+            for (int line = 0; line < 80; ++line) { // 20 to a unit: each board has several
+                const float at = 0.025f + static_cast<float>(line) / 20;
+                const Vec2 p = rows ? Vec2(1, at) : Vec2(at, 1), middle = middle_of(p, board_at(p, period));
+                const double size = rows ? wide(width) : wide(length);
+                const double along = (rows ? wide(middle.x) : wide(middle.y)) / size;
+                const double step = along - before - std::round(along - before);
+                INFO(width << " x " << length << ", shift " << shift << ", line " << line);
+                CHECK((line == 0 || std::abs(step) < 0.01 ||
+                       std::abs(std::abs(step) - std::min(shift, 1 - shift)) < 0.13));
+                before = along;
+            }
+            const auto first = middle_of(Vec2(0.02f, 0.02f), board_at(Vec2(0.02f, 0.02f), period));
+            const Vec2 other = rows ? Vec2(0.02f, 3.98f) : Vec2(3.98f, 0.02f),
+                       last = middle_of(other, board_at(other, period));
+            const double size = rows ? wide(width) : wide(length);
+            const double step = (rows ? wide(first.x) - wide(last.x) : wide(first.y) - wide(last.y)) / size;
+            CHECK(std::abs(std::abs(step - std::round(step)) - std::min(shift, 1 - shift)) < 0.13);
+        }
         const double gaps = 1 - (1 - wide(boards.gap) / wide(width)) * (1 - wide(boards.gap) / wide(length));
         fmt::print("  boards of {} x {}: {} of 4000 turned, joints {:.4f} of {:.4f}\n", width, length, turned,
                    joints / 4000.0, gaps);
