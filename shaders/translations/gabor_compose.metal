@@ -9,7 +9,6 @@
 //     GaborBoard board = gabor_board(p, dfdx(p), dfdy(p), float2(0.0), planks, 7u);      // the one at p
 //     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
-//
 //     GaborMaterial sand = gabor_sand_filtered(p, dfdx(p), dfdy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);

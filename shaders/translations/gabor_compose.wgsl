@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest f463055900d3827b.
+// naga 30.0.1 made it from GLSL with the digest 4719f6f6780d991f.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -11,7 +11,6 @@
 //     GaborBoard board = gabor_board(p, dpdx(p), dpdy(p), vec2f(0.0), planks, 7u);      // the one at p
 //     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
-//
 //     GaborMaterial sand = gabor_sand_filtered(p, dpdx(p), dpdy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);
