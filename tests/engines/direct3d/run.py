@@ -28,11 +28,12 @@ OPTIMIZED, SKIP_OPTIMIZATION = 0, 4
 
 
 def direct3d(mode, *arguments, **options):
-    """Returns what the program prints in Wine. Wine's desktop, which outlives the program, would lose its display."""
+    """Returns what the program prints in Wine. Wine's desktop, which outlives the program, would lose its display. Its debugger would
+    wait for ever where one of its services fails."""
     folder = FOLDER / f"wine-{mode}"
     display = ["flock", f"{folder}.lock", "xvfb-run", "-a", "sh", "-c", '"$@"; status=$?; /usr/lib/wine/wineserver -k; exit $status', "-"]
     command = [*(display if mode != "compile" else []), "/usr/lib/wine/wine64", FOLDER / "direct3d.exe", mode, *arguments]
-    settings = {"WINEPREFIX": str(folder), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "d3dcompiler_47=n;mscoree,mshtml="}
+    settings = {"WINEPREFIX": str(folder), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "d3dcompiler_47=n;mscoree,mshtml=;winedbg.exe=d"}
     return subprocess.run(command, env=os.environ | settings, text=True, stdout=subprocess.PIPE, **options).stdout
 
 
