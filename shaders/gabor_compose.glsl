@@ -67,8 +67,6 @@ struct GaborBoard {
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
 //     the slopes of joints, which are too few and too steep to widen a highlight.
 
-// ---- One material over another -------------------------------------------------------------------------------------
-
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
 
@@ -124,16 +122,15 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     uint random = gabor_lobe_seed(word, 1);
     vec2 turn = float(random & 65535u) < 65536.0 * boards.turns ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec2 back = vec2(turn.x, -turn.y);
-
     vec2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     vec2 boards_wide = min(wide / (size * size), 4.0);
     float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
     vec2 free = 1.0 - vec2(across.x, along.x); // of a joint along each axis
+    float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn,
-                      1.0 - boards.shades * (0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5)),
+                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
                       vec3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
 }
 
@@ -148,24 +145,22 @@ GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards b
                          free * gabor_impl_turned_square(material.lost, back, board.turn.yx));
 }
 
-// A share of one material and the rest of another, with this height.
-GaborMaterial gabor_impl_shared(GaborMaterial rest, GaborMaterial part, float share, float height) {
-    return GaborMaterial(mix(rest.colour, part.colour, share), height, mix(rest.slope, part.slope, share),
-                         mix(rest.roughness, part.roughness, share), mix(rest.metalness, part.metalness, share),
-                         mix(rest.lost, part.lost, share));
+// The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the
+// same shares as the materials: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
+GaborMaterial gabor_impl_outer(GaborMaterial a, GaborMaterial b, float softness, float side) {
+    float d = side * (b.height - a.height) / max(softness, 1.0e-6), edge = max(1.0 - abs(d), 0.0);
+    float share = clamp(0.5 + 0.5 * d, 0.0, 1.0), height = max(side * a.height, side * b.height);
+    return GaborMaterial(mix(a.colour, b.colour, share), side * (height + 0.25 * softness * edge * edge),
+                         mix(a.slope, b.slope, share), mix(a.roughness, b.roughness, share),
+                         mix(a.metalness, b.metalness, share), mix(a.lost, b.lost, share));
 }
 
-// A smooth maximum whose derivatives are the shares: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
 GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness) {
-    float d = (above.height - below.height) / max(softness, 1.0e-6), edge = max(1.0 - abs(d), 0.0);
-    return gabor_impl_shared(below, above, clamp(0.5 + 0.5 * d, 0.0, 1.0),
-                             max(below.height, above.height) + 0.25 * softness * edge * edge);
+    return gabor_impl_outer(below, above, softness, 1.0);
 }
 
 GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
-    float d = (coat.height - core.height) / max(softness, 1.0e-6), edge = max(1.0 - abs(d), 0.0);
-    return gabor_impl_shared(coat, core, clamp(0.5 + 0.5 * d, 0.0, 1.0),
-                             min(coat.height, core.height) - 0.25 * softness * edge * edge);
+    return gabor_impl_outer(coat, core, softness, -1.0);
 }
 
 #endif // GABOR_COMPOSE_GLSL

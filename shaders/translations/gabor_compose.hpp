@@ -72,8 +72,6 @@ struct GaborBoard {
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
 //     the slopes of joints, which are too few and too steep to widen a highlight.
 
-// ---- One material over another -------------------------------------------------------------------------------------
-
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
 
@@ -129,16 +127,15 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     std::uint32_t random = gabor_lobe_seed(word, 1);
     gabor_vec2 turn = float(random & 65535u) < 65536.0f * boards.turns ? gabor_vec2(0.0f, 1.0f) : gabor_vec2(1.0f, 0.0f);
     gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
-
     gabor_vec2 wide = 0.25f * (dx * dx + dy * dy); // the variance of the pixel along x and y
     gabor_vec2 boards_wide = gabor_cpp_min(wide / (size * size), 4.0f);
     float mean = gabor_cpp_exp(-19.739209f * gabor_cpp_max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     gabor_vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     gabor_vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
     gabor_vec2 free = 1.0f - gabor_vec2(across.x, along.x); // of a joint along each axis
+    float dark = 0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f);
     return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn,
-                      1.0f - boards.shades * (0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f)),
+                      gabor_lobe_seed(word, 0), turn, 1.0f - boards.shades * dark,
                       gabor_vec3(1.0f - free.x * free.y, free.y * across.y, free.x * along.y)};
 }
 
@@ -153,24 +150,22 @@ GABOR_INLINE GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, 
                          free * gabor_impl_turned_square(material.lost, back, board.turn.yx())};
 }
 
-// A share of one material and the rest of another, with this height.
-GABOR_INLINE GaborMaterial gabor_impl_shared(GaborMaterial rest, GaborMaterial part, float share, float height) {
-    return GaborMaterial{gabor_cpp_mix(rest.colour, part.colour, share), height, gabor_cpp_mix(rest.slope, part.slope, share),
-                         gabor_cpp_mix(rest.roughness, part.roughness, share), gabor_cpp_mix(rest.metalness, part.metalness, share),
-                         gabor_cpp_mix(rest.lost, part.lost, share)};
+// The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the
+// same shares as the materials: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
+GABOR_INLINE GaborMaterial gabor_impl_outer(GaborMaterial a, GaborMaterial b, float softness, float side) {
+    float d = side * (b.height - a.height) / gabor_cpp_max(softness, 1.0e-6f), edge = gabor_cpp_max(1.0f - gabor_cpp_abs(d), 0.0f);
+    float share = gabor_cpp_clamp(0.5f + 0.5f * d, 0.0f, 1.0f), height = gabor_cpp_max(side * a.height, side * b.height);
+    return GaborMaterial{gabor_cpp_mix(a.colour, b.colour, share), side * (height + 0.25f * softness * edge * edge),
+                         gabor_cpp_mix(a.slope, b.slope, share), gabor_cpp_mix(a.roughness, b.roughness, share),
+                         gabor_cpp_mix(a.metalness, b.metalness, share), gabor_cpp_mix(a.lost, b.lost, share)};
 }
 
-// A smooth maximum whose derivatives are the shares: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
 GABOR_INLINE GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness) {
-    float d = (above.height - below.height) / gabor_cpp_max(softness, 1.0e-6f), edge = gabor_cpp_max(1.0f - gabor_cpp_abs(d), 0.0f);
-    return gabor_impl_shared(below, above, gabor_cpp_clamp(0.5f + 0.5f * d, 0.0f, 1.0f),
-                             gabor_cpp_max(below.height, above.height) + 0.25f * softness * edge * edge);
+    return gabor_impl_outer(below, above, softness, 1.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
-    float d = (coat.height - core.height) / gabor_cpp_max(softness, 1.0e-6f), edge = gabor_cpp_max(1.0f - gabor_cpp_abs(d), 0.0f);
-    return gabor_impl_shared(coat, core, gabor_cpp_clamp(0.5f + 0.5f * d, 0.0f, 1.0f),
-                             gabor_cpp_min(coat.height, core.height) - 0.25f * softness * edge * edge);
+    return gabor_impl_outer(coat, core, softness, -1.0f);
 }
 
 #endif // GABOR_COMPOSE_HPP

@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 4719f6f6780d991f.
+// naga 30.0.1 made it from GLSL with the digest 67e5c0d06abe680b.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -64,8 +64,6 @@ struct GaborBoard {
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
 //     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
 //     the slopes of joints, which are too few and too steep to widen a highlight.
-
-// ---- One material over another -------------------------------------------------------------------------------------
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, f32 softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
@@ -161,6 +159,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var across_4: vec2<f32>;
     var along_4: vec2<f32>;
     var free: vec2<f32>;
+    var dark_2: f32;
     size_4 = vec2<f32>(boards.width, boards.reach);
     let _e13 = size_4;
     let _e15 = size_4;
@@ -281,25 +280,27 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e207 = across_4;
     let _e209 = along_4;
     free = (vec2(1f) - vec2<f32>(_e207.x, _e209.x));
-    let _e215 = local_89;
-    let _e216 = back_1;
-    let _e217 = gabor_impl_product(_e215, _e216);
-    let _e218 = back_1;
-    let _e219 = gabor_impl_product(dx, _e218);
-    let _e220 = back_1;
-    let _e221 = gabor_impl_product(dy, _e220);
-    let _e222 = word_6;
-    let _e224 = gabor_lobe_seed(_e222, 0i);
-    let _e225 = turn_16;
-    let _e229 = mean_9;
-    let _e230 = random;
-    let _e243 = free;
+    let _e216 = mean_9;
+    let _e217 = random;
+    dark_2 = (0.5f + (_e216 * ((f32((_e217 >> 16u)) / 65535f) - 0.5f)));
+    let _e228 = local_89;
+    let _e229 = back_1;
+    let _e230 = gabor_impl_product(_e228, _e229);
+    let _e231 = back_1;
+    let _e232 = gabor_impl_product(dx, _e231);
+    let _e233 = back_1;
+    let _e234 = gabor_impl_product(dy, _e233);
+    let _e235 = word_6;
+    let _e237 = gabor_lobe_seed(_e235, 0i);
+    let _e238 = turn_16;
+    let _e241 = dark_2;
     let _e245 = free;
-    let _e249 = free;
-    let _e251 = across_4;
-    let _e254 = free;
-    let _e256 = along_4;
-    return GaborBoard(_e217, _e219, _e221, _e224, _e225, (1f - (boards.shades * (0.5f + (_e229 * ((f32((_e230 >> 16u)) / 65535f) - 0.5f))))), vec3<f32>((1f - (_e243.x * _e245.y)), (_e249.y * _e251.y), (_e254.x * _e256.y)));
+    let _e247 = free;
+    let _e251 = free;
+    let _e253 = across_4;
+    let _e256 = free;
+    let _e258 = along_4;
+    return GaborBoard(_e230, _e232, _e234, _e237, _e238, (1f - (boards.shades * _e241)), vec3<f32>((1f - (_e245.x * _e247.y)), (_e251.y * _e253.y), (_e256.x * _e258.y)));
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {
@@ -323,35 +324,37 @@ fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -
     return GaborMaterial(mix((board.tone * material.colour), boards.joint, vec3(_e21)), ((_e24 * material.height) - (_e27 * boards.depth)), ((_e31 * _e34) - ((material.height + boards.depth) * board.joint.yz)), mix(material.roughness, max(material.roughness, 0.8f), _e47), (_e49 * material.metalness), (_e52 * _e57));
 }
 
-// A share of one material and the rest of another, with this height.
-fn gabor_impl_shared(rest: GaborMaterial, part: GaborMaterial, share: f32, height: f32) -> GaborMaterial {
-    return GaborMaterial(mix(rest.colour, part.colour, vec3(share)), height, mix(rest.slope, part.slope, vec2(share)), mix(rest.roughness, part.roughness, share), mix(rest.metalness, part.metalness, share), mix(rest.lost, part.lost, vec3(share)));
-}
-
-// A smooth maximum whose derivatives are the shares: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
-fn gabor_covered(below: GaborMaterial, above: GaborMaterial, softness: f32) -> GaborMaterial {
+// The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the
+// same shares as the materials: over a difference d from -s to s, it grows by (d + s)^2 / (4 s).
+fn gabor_impl_outer(a: GaborMaterial, b: GaborMaterial, softness: f32, side: f32) -> GaborMaterial {
     var d_8: f32;
     var edge_3: f32;
-    d_8 = ((above.height - below.height) / max(softness, 0.000001f));
-    let _e11 = d_8;
-    edge_3 = max((1f - abs(_e11)), 0f);
-    let _e19 = d_8;
-    let _e30 = edge_3;
-    let _e32 = edge_3;
-    let _e35 = gabor_impl_shared(below, above, clamp((0.5f + (0.5f * _e19)), 0f, 1f), (max(below.height, above.height) + (((0.25f * softness) * _e30) * _e32)));
-    return _e35;
+    var share_1: f32;
+    var height_11: f32;
+    d_8 = ((side * (b.height - a.height)) / max(softness, 0.000001f));
+    let _e13 = d_8;
+    edge_3 = max((1f - abs(_e13)), 0f);
+    let _e21 = d_8;
+    share_1 = clamp((0.5f + (0.5f * _e21)), 0f, 1f);
+    height_11 = max((side * a.height), (side * b.height));
+    let _e36 = share_1;
+    let _e39 = height_11;
+    let _e42 = edge_3;
+    let _e44 = edge_3;
+    let _e50 = share_1;
+    let _e55 = share_1;
+    let _e59 = share_1;
+    let _e63 = share_1;
+    return GaborMaterial(mix(a.colour, b.colour, vec3(_e36)), (side * (_e39 + (((0.25f * softness) * _e42) * _e44))), mix(a.slope, b.slope, vec2(_e50)), mix(a.roughness, b.roughness, _e55), mix(a.metalness, b.metalness, _e59), mix(a.lost, b.lost, vec3(_e63)));
+}
+
+fn gabor_covered(below: GaborMaterial, above: GaborMaterial, softness: f32) -> GaborMaterial {
+    let _e4 = gabor_impl_outer(below, above, softness, 1f);
+    return _e4;
 }
 
 fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborMaterial {
-    var d_9: f32;
-    var edge_4: f32;
-    d_9 = ((coat.height - core.height) / max(softness, 0.000001f));
-    let _e11 = d_9;
-    edge_4 = max((1f - abs(_e11)), 0f);
-    let _e19 = d_9;
-    let _e30 = edge_4;
-    let _e32 = edge_4;
-    let _e35 = gabor_impl_shared(coat, core, clamp((0.5f + (0.5f * _e19)), 0f, 1f), (min(coat.height, core.height) - (((0.25f * softness) * _e30) * _e32)));
-    return _e35;
+    let _e5 = gabor_impl_outer(coat, core, softness, -1f);
+    return _e5;
 }
 

@@ -1233,17 +1233,17 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, float2 
         float3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
         float3 pebble = gabor_impl_step(-1.45, -0.55, cells + 0.1 * of.a.second);
         share += pebble.x;
-        float3 relief = 0.016 * pebble + 0.013 * gabor_impl_step(-1.0, 3.0, cells) + 0.0016 * of.a.second;
+        float3 relief = 0.016 * pebble + 0.013 * gabor_impl_step(-1.0, 3.0, cells) + 0.0008 * of.a.second;
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    float3 square = leather.cells * leather.cells * float3(0.00287, 0.0026, 0.0);
+    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, 0.0);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = lerp(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     float3 colour = lerp(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + 2.56e-6 * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + 6.4e-7 * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 

@@ -1003,17 +1003,17 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather lea
         gabor_vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
         gabor_vec3 pebble = gabor_impl_step(-1.45f, -0.55f, cells + 0.1f * of.a.second);
         share += pebble.x;
-        gabor_vec3 relief = 0.016f * pebble + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells) + 0.0016f * of.a.second;
+        gabor_vec3 relief = 0.016f * pebble + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells) + 0.0008f * of.a.second;
         height += relief;
         lost += gabor_impl_square(relief.yz());
     }
-    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.00287f, 0.0026f, 0.0f);
+    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, 0.0f);
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + 2.56e-6f * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + 6.4e-7f * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest aa765cc2d73c4453.
+// naga 30.0.1 made it from GLSL with the digest d71f22d8045dc8b3.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -2617,7 +2617,7 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
             let _e93 = pebble;
             let _e99 = cells;
             let _e100 = gabor_impl_step(-1f, 3f, _e99);
-            relief = (((0.016f * _e93) + (0.013f * _e100)) + (0.0016f * of_.a.second));
+            relief = (((0.016f * _e93) + (0.013f * _e100)) + (0.0008f * of_.a.second));
             let _e109 = height_5;
             let _e110 = relief;
             height_5 = (_e109 + _e110);
@@ -2631,7 +2631,7 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
             i_17 = (_e39 + 1i);
         }
     }
-    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.00287f, 0.0026f, 0f));
+    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, 0f));
     let _e128 = samples_2;
     let _e129 = kept_6;
     let _e131 = square_5;
@@ -2650,7 +2650,7 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
     let _e163 = share;
     colour_5 = mix(_e159, _e162, vec3(_e163));
     let _e170 = lost_8;
-    lost_8 = ((leather.relief * leather.relief) * (_e170 + (0.00000256f * of_.a.lost)));
+    lost_8 = ((leather.relief * leather.relief) * (_e170 + (0.00000064f * of_.a.lost)));
     let _e177 = colour_5;
     let _e179 = height_5;
     let _e181 = lost_8;
