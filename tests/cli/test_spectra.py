@@ -67,7 +67,7 @@ class Spectra(SpectraTest):
                 for sign, azimuth in zip((-1, 1), azimuths):
                     channels = self.render(size="64x64", light_azimuth=azimuth, light_elevation=30, **options).channels
                     alike = np.corrcoef((channels["lit.G"] / channels["G"]).ravel(), channels[f"slope.{axis}"].ravel())[0, 1]
-                    self.assertGreater(sign * alike, 0.3, (options, azimuth))
+                    self.assertGreater(sign * alike, 0.25, (options, azimuth))
         self.assert_refused(["--light-azimuth", "a material, terrain or the ocean view"], "render", "-o", "out.exr", "--light-azimuth=30")
 
     def test_the_light_of_an_overcast_sky_equals_its_integral(self):
