@@ -805,6 +805,11 @@ GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, vec2 count, uint se
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
+// Threads per unit; a weave repeats after 2, 4 or 16 of them.
+vec2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+    return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+}
+
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 float gabor_impl_over(float x, float y, float weave) {
     if (weave < 0.5) return fract(0.5 * (x + y)) > 0.25 ? -1.0 : 1.0;
@@ -879,7 +884,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
 GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+    vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
@@ -1393,7 +1398,7 @@ GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+    vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);

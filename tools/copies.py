@@ -76,7 +76,7 @@ def dense(wgsl):
     return re.sub(r"(?ms)^fn .*?^}", lambda match: re.sub(r"\s+", " ", match[0]), wgsl)
 
 
-# The files of the page's sea, which has more waves than the translation.
+# The files of the page's sea, in order. It has more bands than the translation.
 SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
 SEA_MACROS = "GABOR_OCEAN_BANDS=12",
 

@@ -45,6 +45,7 @@ struct Work {
     render::Request request;
     image::Rect region;
     bool scaled = false; ///< whether an option, a preset or another file sets the scale
+    int side = 0;        ///< shorter side of the picture, before options change it
 };
 
 // Returns the parameters that the options set, including --size.
@@ -73,6 +74,7 @@ Work make_work(const RenderOptions& options) {
         if (!options.size)
             region = like.region;
     }
+    work.side = std::min(work.request.width, work.request.height);
     const render::Values given = values_of(options);
     render::set(work.request, given, render::option_name);
     work.scaled = options.preset || options.like ||
@@ -193,16 +195,10 @@ void render_map_set(const RenderOptions& options) {
     render::Request& request = work.request;
     request = render::from_above(request);
     render::check_maps(request);
-    if (!options.size && !options.like) {
-        const double scale = request.scale;
-        render::set_side(request, render::map_side);
-        if (gives("scale"))
-            request.scale = scale;
-    } else if (options.preset && !gives("scale")) { // as much as the preset's picture shows
-        const render::Request made = render::preset(*options.preset);
-        request.scale *=
-            static_cast<double>(std::min(request.width, request.height)) / std::min(made.width, made.height);
-    }
+    if (!options.size && !options.like)
+        request.width = request.height = render::map_side;
+    if (options.preset && !gives("scale")) // as much as the preset's picture shows
+        request.scale *= static_cast<double>(std::min(request.width, request.height)) / work.side;
     const bool terrain = render::has_terrain(request);
     if (!work.scaled)
         request.scale = std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0));

@@ -38,7 +38,7 @@ void check_maps(const Request& request);
 /// Makes the picture square, with as much in it as its shorter side showed.
 void set_side(Request& request, int side);
 
-/// Makes the picture tile, and show as much as a tile needs.
+/// Makes the picture tile. If it shows too little for a tile, it then shows more.
 void make_tile(Request& request);
 
 /// Lists all files that render_maps writes.

@@ -160,7 +160,7 @@ inline bool has_material(const Request& request) {
 /// Returns the same terrain from above instead of in perspective, or any other request unchanged.
 Request from_above(Request request);
 
-/// The shortest side of a tile, in kernel radii; 0 for materials, which fit any.
+/// The shortest side of a tile, in kernel radii; 0 for a material, which fits any tile.
 double least_tile(const Request& request);
 
 /// The number of a terrain's height units per kernel radius.

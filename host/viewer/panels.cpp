@@ -341,9 +341,9 @@ void export_panel(Session& session) {
     if (choose("kind", as, std::span(exports).first(forms), export_tips))
         target.chosen = as;
     if (as == ExportAs::maps) {
-        int power = std::bit_width(static_cast<unsigned>(target.map_side)) - 1;
-        if (ImGui::SliderInt("side", &power, 8, 13, fmt::format("{} pixels", target.map_side).c_str()))
-            target.map_side = 1 << std::clamp(power, 8, 13);
+        auto power = static_cast<float>(std::bit_width(static_cast<unsigned>(target.map_side)) - 1);
+        if (slider("side", power, 8, 13, fmt::format("{} pixels", target.map_side).c_str()))
+            target.map_side = 1 << std::clamp(static_cast<int>(std::round(power)), 8, 13);
         tooltip("The maps are square, and show as much as the shorter side of the picture");
     } else {
         controls(session, {"width", "height"});

@@ -89,7 +89,7 @@ void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
 /// Names the next export after the document, and scrolls the panel to its top.
 void reset_panel(Session& session);
-/// Whether the document was read from the file that it is saved to, or was saved to it.
+/// Tells whether Save writes to a file that the document was read from or saved to before.
 bool has_file(const Document& document);
 /// Saves the document to its file, or asks for a name if it has none.
 void save_preset(Session& session);

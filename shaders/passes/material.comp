@@ -36,13 +36,10 @@ layout(std430, set = 0, binding = 1) readonly buffer Parameters {
 GABOR_PARAMETERS look;
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
-    vec2 period = tiled ? pixel * size : vec2(0.0);
-    GaborBoard board;
+    vec2 tile = tiled ? pixel * size : vec2(0.0), period = laid ? vec2(0.0) : tile;
+    GaborBoard board = GaborBoard(p, dx, dy, seed, vec2(0.0), 0.0, vec3(0.0));
     if (laid)
-        board = gabor_board(p, filtered ? dx : vec2(0.0), filtered ? dy : vec2(0.0), period, boards, seed);
-    else
-        board = GaborBoard(p, dx, dy, seed, vec2(0.0), 0.0, vec3(0.0));
-    period = laid ? vec2(0.0) : period;
+        board = gabor_board(p, filtered ? dx : vec2(0.0), filtered ? dy : vec2(0.0), tile, boards, seed);
     GaborMaterial material;
     if (filtered)
         material = GABOR_FILTERED(board.p, board.dx, board.dy, period, look, board.seed);

@@ -20,9 +20,9 @@
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
 //
-// The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
-// heights differ within a pixel.
+// The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
+// of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
+// least the difference in height within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -110,8 +110,8 @@ GaborBoards gabor_boards_default() {
     return GaborBoards_of(float3(0.03, 0.02, 0.014), 0.5, 3.0, 0.38, 0.0, 0.3, 0.012, 0.012);
 }
 
-// A joint `gap` wide at distance x, of whose edges the standard deviation is 1 / scale: its share and the derivative
-// along x.
+// The share of a joint, `gap` wide, at distance x from its middle, and its derivative along x. The joint's edges are
+// normal distribution functions with the standard deviation 1 / scale.
 float2 gabor_impl_joint(float x, float gap, float scale) {
     float2 t = clamp(scale * float2(x + 0.5 * gap, x - 0.5 * gap), -10.0, 10.0), density = exp(-0.5 * t * t);
     return float2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228 * scale * (density.x - density.y));
@@ -121,12 +121,12 @@ float2 gabor_impl_joint(float x, float gap, float scale) {
 float2 gabor_impl_joints(float x, float size, float gap, float wide) {
     if (gap <= 0.0) return (float2)(0.0);
     gap = min(gap, size);
-    // Beyond 0.4 of a board, more joints than two are in reach, and their sum is nearly even.
+    // Pixels wider than 0.4 of a board reach more than two joints, whose sum is nearly constant.
     float scale = rsqrt(0.04 * gap * gap + min(wide, 0.16 * size * size));
     return gabor_impl_joint(x - 0.5 * size, gap, scale) + gabor_impl_joint(x + 0.5 * size, gap, scale);
 }
 
-// Indices from 0 to count - 1; any indices if count is 0.
+// Wraps indices to 0 ... count - 1, unless count is 0.
 float2 gabor_impl_board_index(float2 index, float2 count) {
     return count.x > 0.0 ? index - count * floor(index / count) : index;
 }
@@ -135,7 +135,7 @@ GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, GaborBoard
     float2 size = float2(boards.width, boards.reach), count = (float2)(0.0);
     bool rows = size.x > size.y;
     float shift = boards.shift;
-    if (period.x > 0.0) { // the last row is shifted against the first one as against its neighbour
+    if (period.x > 0.0) { // the shift must also fit between the last row and the first
         count = max(floor(period / size + 0.5), (float2)(1.0));
         float lines = rows ? count.y : count.x, rest = frac(lines * shift);
         if (abs(rest - 0.5) < 0.25) lines += 1.0;

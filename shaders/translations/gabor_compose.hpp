@@ -21,9 +21,9 @@
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
 //
-// The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
-// heights differ within a pixel.
+// The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
+// of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
+// least the difference in height within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -86,8 +86,8 @@ GABOR_INLINE GaborBoards gabor_boards_default() {
     return GaborBoards{gabor_vec3(0.03f, 0.02f, 0.014f), 0.5f, 3.0f, 0.38f, 0.0f, 0.3f, 0.012f, 0.012f};
 }
 
-// A joint `gap` wide at distance x, of whose edges the standard deviation is 1 / scale: its share and the derivative
-// along x.
+// The share of a joint, `gap` wide, at distance x from its middle, and its derivative along x. The joint's edges are
+// normal distribution functions with the standard deviation 1 / scale.
 GABOR_INLINE gabor_vec2 gabor_impl_joint(float x, float gap, float scale) {
     gabor_vec2 t = gabor_cpp_clamp(scale * gabor_vec2(x + 0.5f * gap, x - 0.5f * gap), -10.0f, 10.0f), density = gabor_cpp_exp(-0.5f * t * t);
     return gabor_vec2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228f * scale * (density.x - density.y));
@@ -97,12 +97,12 @@ GABOR_INLINE gabor_vec2 gabor_impl_joint(float x, float gap, float scale) {
 GABOR_INLINE gabor_vec2 gabor_impl_joints(float x, float size, float gap, float wide) {
     if (gap <= 0.0f) return gabor_vec2(0.0f);
     gap = gabor_cpp_min(gap, size);
-    // Beyond 0.4 of a board, more joints than two are in reach, and their sum is nearly even.
+    // Pixels wider than 0.4 of a board reach more than two joints, whose sum is nearly constant.
     float scale = gabor_cpp_inversesqrt(0.04f * gap * gap + gabor_cpp_min(wide, 0.16f * size * size));
     return gabor_impl_joint(x - 0.5f * size, gap, scale) + gabor_impl_joint(x + 0.5f * size, gap, scale);
 }
 
-// Indices from 0 to count - 1; any indices if count is 0.
+// Wraps indices to 0 ... count - 1, unless count is 0.
 GABOR_INLINE gabor_vec2 gabor_impl_board_index(gabor_vec2 index, gabor_vec2 count) {
     return count.x > 0.0f ? index - count * gabor_cpp_floor(index / count) : index;
 }
@@ -111,7 +111,7 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 size = gabor_vec2(boards.width, boards.reach), count = gabor_vec2(0.0f);
     bool rows = size.x > size.y;
     float shift = boards.shift;
-    if (period.x > 0.0f) { // the last row is shifted against the first one as against its neighbour
+    if (period.x > 0.0f) { // the shift must also fit between the last row and the first
         count = gabor_cpp_max(gabor_cpp_floor(period / size + 0.5f), gabor_vec2(1.0f));
         float lines = rows ? count.y : count.x, rest = gabor_cpp_fract(lines * shift);
         if (gabor_cpp_abs(rest - 0.5f) < 0.25f) lines += 1.0f;

@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 67e5c0d06abe680b.
+// naga 30.0.1 made it from GLSL with the digest 17d9736700de699b.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -22,9 +22,9 @@
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
 //
-// The slope of the result remains the derivative of its height. A board costs three quarters of gabor_noise, and the
-// others next to nothing besides their materials. For filtered materials, `softness` should not be less than the
-// heights differ within a pixel.
+// The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
+// of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
+// least the difference in height within a pixel.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -79,8 +79,8 @@ fn gabor_boards_default() -> GaborBoards {
     return GaborBoards(vec3<f32>(0.03f, 0.02f, 0.014f), 0.5f, 3f, 0.38f, 0f, 0.3f, 0.012f, 0.012f);
 }
 
-// A joint `gap` wide at distance x, of whose edges the standard deviation is 1 / scale: its share and the derivative
-// along x.
+// The share of a joint, `gap` wide, at distance x from its middle, and its derivative along x. The joint's edges are
+// normal distribution functions with the standard deviation 1 / scale.
 fn gabor_impl_joint(x: f32, gap: f32, scale: f32) -> vec2<f32> {
     var t_13: vec2<f32>;
     var density_9: vec2<f32>;
@@ -120,15 +120,15 @@ fn gabor_impl_joints(x: f32, size: f32, gap: f32, wide: f32) -> vec2<f32> {
     return (_e29 + _e35);
 }
 
-// Indices from 0 to count - 1; any indices if count is 0.
+// Wraps indices to 0 ... count - 1, unless count is 0.
 fn gabor_impl_board_index(index: vec2<f32>, count: vec2<f32>) -> vec2<f32> {
-    var local_85: vec2<f32>;
+    var local_83: vec2<f32>;
     if (count.x > 0f) {
-        local_85 = (index - (count * floor((index / count))));
+        local_83 = (index - (count * floor((index / count))));
     } else {
-        local_85 = index;
+        local_83 = index;
     }
-    let _e10 = local_85;
+    let _e10 = local_83;
     return _e10;
 }
 
@@ -137,20 +137,20 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var count_13: vec2<f32> = vec2(0f);
     var rows_5: bool;
     var shift: f32;
-    var local_86: f32;
+    var local_84: f32;
     var lines: f32;
     var rest: f32;
-    var local_87: vec2<f32>;
+    var local_85: vec2<f32>;
     var at_13: vec2<f32>;
     var line_6: vec2<f32>;
-    var local_88: vec2<f32>;
+    var local_86: vec2<f32>;
     var cell_5: vec2<f32>;
     var index_15: vec2<f32>;
-    var local_89: vec2<f32>;
+    var local_87: vec2<f32>;
     var salt_16: u32;
     var word_6: u32;
     var random: u32;
-    var local_90: vec2<f32>;
+    var local_88: vec2<f32>;
     var turn_16: vec2<f32>;
     var back_1: vec2<f32>;
     var wide_3: vec2<f32>;
@@ -172,12 +172,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
             let _e33 = rows_5;
             if _e33 {
                 let _e34 = count_13;
-                local_86 = _e34.y;
+                local_84 = _e34.y;
             } else {
                 let _e36 = count_13;
-                local_86 = _e36.x;
+                local_84 = _e36.x;
             }
-            let _e39 = local_86;
+            let _e39 = local_84;
             lines = _e39;
             let _e41 = lines;
             let _e42 = shift;
@@ -195,13 +195,13 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
             if _e63 {
                 let _e64 = count_13;
                 let _e66 = lines;
-                local_87 = vec2<f32>(_e64.x, _e66);
+                local_85 = vec2<f32>(_e64.x, _e66);
             } else {
                 let _e68 = lines;
                 let _e69 = count_13;
-                local_87 = vec2<f32>(_e68, _e69.y);
+                local_85 = vec2<f32>(_e68, _e69.y);
             }
-            let _e73 = local_87;
+            let _e73 = local_85;
             count_13 = _e73;
             let _e74 = count_13;
             size_4 = (period / _e74);
@@ -218,13 +218,13 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     if _e85 {
         let _e86 = shift;
         let _e87 = line_6;
-        local_88 = vec2<f32>(fract((_e86 * _e87.y)), 0f);
+        local_86 = vec2<f32>(fract((_e86 * _e87.y)), 0f);
     } else {
         let _e94 = shift;
         let _e95 = line_6;
-        local_88 = vec2<f32>(0f, fract((_e94 * _e95.x)));
+        local_86 = vec2<f32>(0f, fract((_e94 * _e95.x)));
     }
-    let _e101 = local_88;
+    let _e101 = local_86;
     at_13 = (_e84 + _e101);
     let _e103 = at_13;
     cell_5 = floor(_e103);
@@ -235,7 +235,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e110 = at_13;
     let _e111 = cell_5;
     let _e116 = size_4;
-    local_89 = (((_e110 - _e111) - vec2(0.5f)) * _e116);
+    local_87 = (((_e110 - _e111) - vec2(0.5f)) * _e116);
     let _e119 = gabor_impl_salt(seed);
     salt_16 = _e119;
     let _e121 = index_15;
@@ -250,11 +250,11 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     random = _e137;
     let _e139 = random;
     if (f32((_e139 & 65535u)) < (65536f * boards.turns)) {
-        local_90 = vec2<f32>(0f, 1f);
+        local_88 = vec2<f32>(0f, 1f);
     } else {
-        local_90 = vec2<f32>(1f, 0f);
+        local_88 = vec2<f32>(1f, 0f);
     }
-    let _e154 = local_90;
+    let _e154 = local_88;
     turn_16 = _e154;
     let _e156 = turn_16;
     let _e158 = turn_16;
@@ -267,12 +267,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e180 = boards_wide;
     let _e182 = boards_wide;
     mean_9 = exp((-19.739208f * max(_e180.x, _e182.y)));
-    let _e188 = local_89;
+    let _e188 = local_87;
     let _e190 = size_4;
     let _e193 = wide_3;
     let _e195 = gabor_impl_joints(_e188.x, _e190.x, boards.gap, _e193.x);
     across_4 = _e195;
-    let _e197 = local_89;
+    let _e197 = local_87;
     let _e199 = size_4;
     let _e202 = wide_3;
     let _e204 = gabor_impl_joints(_e197.y, _e199.y, boards.gap, _e202.y);
@@ -283,7 +283,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e216 = mean_9;
     let _e217 = random;
     dark_2 = (0.5f + (_e216 * ((f32((_e217 >> 16u)) / 65535f) - 0.5f)));
-    let _e228 = local_89;
+    let _e228 = local_87;
     let _e229 = back_1;
     let _e230 = gabor_impl_product(_e228, _e229);
     let _e231 = back_1;

@@ -1040,6 +1040,11 @@ GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, float2 count, uint 
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
+// Threads per unit; a weave repeats after 2, 4 or 16 of them.
+float2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+    return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+}
+
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 float gabor_impl_over(float x, float y, float weave) {
     if (weave < 0.5) return frac(0.5 * (x + y)) > 0.25 ? -1.0 : 1.0;
@@ -1114,7 +1119,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
 GaborMaterial gabor_fabric_at(float2 p, float2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    float2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+    float2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
@@ -1628,7 +1633,7 @@ GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    float2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
+    float2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);

@@ -810,6 +810,11 @@ GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, gabor_
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
+// Threads per unit; a weave repeats after 2, 4 or 16 of them.
+GABOR_INLINE gabor_vec2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+    return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
+}
+
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 GABOR_INLINE float gabor_impl_over(float x, float y, float weave) {
     if (weave < 0.5f) return gabor_cpp_fract(0.5f * (x + y)) > 0.25f ? -1.0f : 1.0f;
@@ -884,7 +889,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
+    gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
@@ -1398,7 +1403,7 @@ GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
-    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
+    gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);

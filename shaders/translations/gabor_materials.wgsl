@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d71f22d8045dc8b3.
+// naga 30.0.1 made it from GLSL with the digest 796f8e05bac3b15c.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -1783,20 +1783,40 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
     return _e38;
 }
 
+// Threads per unit; a weave repeats after 2, 4 or 16 of them.
+fn gabor_impl_threads(pixel: GaborPixel, fabric: GaborFabric) -> vec2<f32> {
+    var local_43: f32;
+    var local_44: f32;
+    if (fabric.weave < 0.5f) {
+        local_44 = 2f;
+    } else {
+        if (fabric.weave < 1.5f) {
+            local_43 = 4f;
+        } else {
+            local_43 = 16f;
+        }
+        let _e13 = local_43;
+        local_44 = _e13;
+    }
+    let _e15 = local_44;
+    let _e16 = gabor_impl_repeated(pixel, fabric.threads, _e15);
+    return _e16;
+}
+
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
     var x_28: f32;
-    var local_43: f32;
-    var local_44: f32;
+    var local_45: f32;
+    var local_46: f32;
     x_28 = x;
     if (weave < 0.5f) {
         let _e7 = x_28;
         if (fract((0.5f * (_e7 + y))) > 0.25f) {
-            local_43 = -1f;
+            local_45 = -1f;
         } else {
-            local_43 = 1f;
+            local_45 = 1f;
         }
-        let _e17 = local_43;
+        let _e17 = local_45;
         return _e17;
     }
     if (weave > 1.5f) {
@@ -1805,11 +1825,11 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
     }
     let _e32 = x_28;
     if (fract(((0.25f * (_e32 + y)) + 0.125f)) < 0.5f) {
-        local_44 = 1f;
+        local_46 = 1f;
     } else {
-        local_44 = -1f;
+        local_46 = -1f;
     }
-    let _e44 = local_44;
+    let _e44 = local_46;
     return _e44;
 }
 
@@ -1818,40 +1838,40 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32, level: bool) -> vec3<f32> {
     var square_4: f32;
     var side_2: f32;
-    var local_45: f32;
+    var local_47: f32;
     var turn_12: f32;
     var slope_14: vec2<f32>;
-    var local_46: f32;
-    var local_47: vec2<f32>;
+    var local_48: f32;
+    var local_49: vec2<f32>;
     square_4 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
     let _e15 = square_4;
     side_2 = sqrt(max(_e15, 0f));
     if level {
-        local_45 = 0f;
+        local_47 = 0f;
     } else {
-        local_45 = (3.1415927f * along.x);
+        local_47 = (3.1415927f * along.x);
     }
-    let _e25 = local_45;
+    let _e25 = local_47;
     turn_12 = _e25;
     let _e36 = side_2;
     slope_14 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e36, 0.05f)));
     let _e42 = side_2;
     let _e43 = square_4;
     if (_e43 < 0f) {
-        local_46 = 2f;
+        local_48 = 2f;
     } else {
-        local_46 = 1f;
+        local_48 = 1f;
     }
-    let _e49 = local_46;
+    let _e49 = local_48;
     let _e53 = turn_12;
     let _e57 = square_4;
     if (_e57 < 0f) {
-        local_47 = vec2(0f);
+        local_49 = vec2(0f);
     } else {
         let _e62 = slope_14;
-        local_47 = _e62;
+        local_49 = _e62;
     }
-    let _e64 = local_47;
+    let _e64 = local_49;
     let _e67 = turn_12;
     let _e72 = (_e64 - (((1.727876f * bend) * sin(_e67)) * along.yz));
     return vec3<f32>(((_e42 - _e49) + ((0.55f * bend) * cos(_e53))), _e72.x, _e72.y);
@@ -1879,17 +1899,17 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var y_20: vec3<f32>;
     var thread: vec2<f32>;
     var over: f32;
-    var local_48: f32;
+    var local_50: f32;
     var level_y: bool;
-    var local_49: f32;
+    var local_51: f32;
     var level_x: bool;
     var along_y_6: vec3<f32>;
     var along_x_4: vec3<f32>;
     var first_3: bool;
-    var local_50: vec3<f32>;
-    var top: vec3<f32>;
-    var local_51: vec3<f32>;
     var local_52: vec3<f32>;
+    var top: vec3<f32>;
+    var local_53: vec3<f32>;
+    var local_54: vec3<f32>;
     var mean_8: vec3<f32>;
     var cords: f32;
     var at_10: vec3<f32>;
@@ -1972,22 +1992,22 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e156 = thread;
             let _e158 = y_20;
             if (_e158.x < 0f) {
-                local_48 = -1f;
+                local_50 = -1f;
             } else {
-                local_48 = 1f;
+                local_50 = 1f;
             }
-            let _e166 = local_48;
+            let _e166 = local_50;
             let _e169 = gabor_impl_over(_e154.x, (_e156.y + _e166), fabric.weave);
             level_y = (_e153 == _e169);
             let _e172 = over;
             let _e173 = thread;
             let _e175 = x_29;
             if (_e175.x < 0f) {
-                local_49 = -1f;
+                local_51 = -1f;
             } else {
-                local_49 = 1f;
+                local_51 = 1f;
             }
-            let _e183 = local_49;
+            let _e183 = local_51;
             let _e185 = thread;
             let _e188 = gabor_impl_over((_e173.x + _e183), _e185.y, fabric.weave);
             level_x = (_e172 == _e188);
@@ -2011,12 +2031,12 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e232 = first_3;
             if _e232 {
                 let _e233 = along_y_6;
-                local_50 = _e233;
+                local_52 = _e233;
             } else {
                 let _e234 = along_x_4;
-                local_50 = _e234;
+                local_52 = _e234;
             }
-            let _e236 = local_50;
+            let _e236 = local_52;
             top = _e236;
             let _e238 = top;
             if (_e238.x < -1.3f) {
@@ -2027,21 +2047,21 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e258 = first_3;
             if _e258 {
                 let _e259 = warp;
-                local_51 = _e259;
+                local_53 = _e259;
             } else {
                 let _e260 = weft;
-                local_51 = _e260;
+                local_53 = _e260;
             }
-            let _e262 = local_51;
+            let _e262 = local_53;
             colour_3 = (_e248 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e254.x)) * _e262));
             let _e266 = top;
             let _e269 = first_3;
             if _e269 {
-                local_52 = of_.c.second;
+                local_54 = of_.c.second;
             } else {
-                local_52 = of_.d.second;
+                local_54 = of_.d.second;
             }
-            let _e275 = local_52;
+            let _e275 = local_54;
             top = ((0.3f * _e266) + (0.035f * _e275));
             let _e278 = height_3;
             let _e279 = top;
@@ -2148,60 +2168,46 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_16: GaborPixel;
+    var pixel_17: GaborPixel;
     var cloth_2: GaborWarped;
-    var local_53: f32;
-    var local_54: f32;
     var count_6: vec2<f32>;
     var of_3: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_16 = _e8;
-    let _e10 = pixel_16;
+    pixel_17 = _e8;
+    let _e10 = pixel_17;
     let _e11 = gabor_impl_cloth(_e10, fabric, seed);
     cloth_2 = _e11;
-    let _e13 = pixel_16;
-    if (fabric.weave < 0.5f) {
-        local_54 = 2f;
-    } else {
-        if (fabric.weave < 1.5f) {
-            local_53 = 4f;
-        } else {
-            local_53 = 16f;
-        }
-        let _e25 = local_53;
-        local_54 = _e25;
-    }
-    let _e27 = local_54;
-    let _e28 = gabor_impl_repeated(_e13, fabric.threads, _e27);
-    count_6 = _e28;
-    let _e30 = gabor_impl_no_pairs();
-    of_3 = _e30;
-    let _e34 = cloth_2;
-    let _e35 = count_6;
-    let _e36 = gabor_impl_fabric_layer(0i, _e34, _e35, seed);
-    let _e37 = gabor_impl_spots_pair(_e36);
-    of_3.a = _e37;
-    let _e40 = cloth_2;
-    let _e41 = count_6;
-    let _e42 = gabor_impl_fabric_layer(1i, _e40, _e41, seed);
-    let _e43 = gabor_impl_spots_pair(_e42);
-    of_3.b = _e43;
-    let _e46 = cloth_2;
-    let _e47 = count_6;
-    let _e48 = gabor_impl_fabric_layer(2i, _e46, _e47, seed);
-    let _e49 = gabor_impl_spots_pair(_e48);
-    of_3.c = _e49;
-    let _e52 = cloth_2;
-    let _e53 = count_6;
-    let _e54 = gabor_impl_fabric_layer(3i, _e52, _e53, seed);
-    let _e55 = gabor_impl_spots_pair(_e54);
-    of_3.d = _e55;
-    let _e56 = pixel_16;
-    let _e57 = cloth_2;
-    let _e58 = count_6;
-    let _e59 = of_3;
-    let _e60 = gabor_impl_fabric(_e56, _e57, _e58, fabric, _e59);
-    return _e60;
+    let _e13 = pixel_17;
+    let _e14 = gabor_impl_threads(_e13, fabric);
+    count_6 = _e14;
+    let _e16 = gabor_impl_no_pairs();
+    of_3 = _e16;
+    let _e20 = cloth_2;
+    let _e21 = count_6;
+    let _e22 = gabor_impl_fabric_layer(0i, _e20, _e21, seed);
+    let _e23 = gabor_impl_spots_pair(_e22);
+    of_3.a = _e23;
+    let _e26 = cloth_2;
+    let _e27 = count_6;
+    let _e28 = gabor_impl_fabric_layer(1i, _e26, _e27, seed);
+    let _e29 = gabor_impl_spots_pair(_e28);
+    of_3.b = _e29;
+    let _e32 = cloth_2;
+    let _e33 = count_6;
+    let _e34 = gabor_impl_fabric_layer(2i, _e32, _e33, seed);
+    let _e35 = gabor_impl_spots_pair(_e34);
+    of_3.c = _e35;
+    let _e38 = cloth_2;
+    let _e39 = count_6;
+    let _e40 = gabor_impl_fabric_layer(3i, _e38, _e39, seed);
+    let _e41 = gabor_impl_spots_pair(_e40);
+    of_3.d = _e41;
+    let _e42 = pixel_17;
+    let _e43 = cloth_2;
+    let _e44 = count_6;
+    let _e45 = of_3;
+    let _e46 = gabor_impl_fabric(_e42, _e43, _e44, fabric, _e45);
+    return _e46;
 }
 
 fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
@@ -2411,16 +2417,16 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_19: GaborPixel;
+    var pixel_20: GaborPixel;
     var cloth_5: GaborWarped;
     var count_9: vec2<f32>;
     var of_5: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_19 = _e8;
-    let _e10 = pixel_19;
+    pixel_20 = _e8;
+    let _e10 = pixel_20;
     let _e11 = gabor_impl_twill(_e10, seed);
     cloth_5 = _e11;
-    let _e13 = pixel_19;
+    let _e13 = pixel_20;
     let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
     count_9 = _e16;
     let _e18 = gabor_impl_no_pairs();
@@ -2435,7 +2441,7 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
     let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_5.b = _e31;
-    let _e32 = pixel_19;
+    let _e32 = pixel_20;
     let _e33 = cloth_5;
     let _e34 = count_9;
     let _e35 = of_5;
@@ -2660,15 +2666,15 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_23: GaborPixel;
+    var pixel_24: GaborPixel;
     var skin_2: GaborWarped;
     var of_7: GaborPairs;
     var i_18: i32 = 0i;
     var a_17: GaborLayer;
     var b_17: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_23 = _e8;
-    let _e10 = pixel_23;
+    pixel_24 = _e8;
+    let _e10 = pixel_24;
     let _e11 = gabor_impl_skin(_e10, leather, seed);
     skin_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -2680,7 +2686,7 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
         }
         let _e25 = of_7;
         let _e27 = i_18;
-        let _e28 = pixel_23;
+        let _e28 = pixel_24;
         let _e29 = skin_2;
         let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -2690,16 +2696,16 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
             i_18 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_23;
+    let _e34 = pixel_24;
     let _e35 = skin_2;
     let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_7.b = _e37;
-    let _e39 = pixel_23;
+    let _e39 = pixel_24;
     let _e40 = skin_2;
     let _e41 = gabor_impl_leather_layer(4i, _e39, _e40, leather, seed);
     a_17 = _e41;
-    let _e44 = pixel_23;
+    let _e44 = pixel_24;
     let _e45 = skin_2;
     let _e46 = gabor_impl_leather_layer(5i, _e44, _e45, leather, seed);
     b_17 = _e46;
@@ -2709,7 +2715,7 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
     let _e52 = b_17;
     let _e53 = gabor_impl_waves_pair(_e52);
     of_7.d = _e53;
-    let _e54 = pixel_23;
+    let _e54 = pixel_24;
     let _e55 = a_17;
     let _e56 = gabor_impl_turns(_e55);
     let _e57 = b_17;
@@ -2931,7 +2937,7 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
 }
 
 fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_26: GaborPixel;
+    var pixel_27: GaborPixel;
     var stone_3: GaborWarped;
     var cloud_1: GaborPair;
     var i_21: i32 = 0i;
@@ -2940,8 +2946,8 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     var i_22: i32 = 4i;
     var layer_9: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_26 = _e8;
-    let _e10 = pixel_26;
+    pixel_27 = _e8;
+    let _e10 = pixel_27;
     let _e11 = gabor_impl_stone(_e10, marble, seed);
     stone_3 = _e11;
     let _e13 = gabor_impl_no_pair();
@@ -2953,7 +2959,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         }
         let _e24 = cloud_1;
         let _e25 = i_21;
-        let _e26 = pixel_26;
+        let _e26 = pixel_27;
         let _e27 = stone_3;
         let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
         let _e29 = gabor_impl_plus_octave(_e24, _e28);
@@ -2963,7 +2969,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
             i_21 = (_e21 + 1i);
         }
     }
-    let _e31 = pixel_26;
+    let _e31 = pixel_27;
     let _e32 = stone_3;
     let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
     let _e34 = gabor_impl_spots_pair(_e33);
@@ -2979,7 +2985,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         }
         {
             let _e49 = i_22;
-            let _e50 = pixel_26;
+            let _e50 = pixel_27;
             let _e51 = stone_3;
             let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
             layer_9 = _e52;
@@ -3121,17 +3127,17 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_29: GaborPixel;
+    var pixel_30: GaborPixel;
     var dune_2: GaborWarped;
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
     var i_24: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_29 = _e8;
-    let _e10 = pixel_29;
+    pixel_30 = _e8;
+    let _e10 = pixel_30;
     let _e11 = gabor_impl_dune(_e10, seed);
     dune_2 = _e11;
-    let _e14 = pixel_29;
+    let _e14 = pixel_30;
     let _e15 = dune_2;
     let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
     ripples_1 = _e16;
@@ -3144,7 +3150,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
         }
         let _e30 = of_9;
         let _e32 = i_24;
-        let _e33 = pixel_29;
+        let _e33 = pixel_30;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
         let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
@@ -3154,7 +3160,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
             i_24 = (_e26 + 1i);
         }
     }
-    let _e39 = pixel_29;
+    let _e39 = pixel_30;
     let _e40 = dune_2;
     let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
     let _e42 = gabor_impl_spots_pair(_e41);
@@ -3272,13 +3278,13 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborM
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_31: GaborPixel;
+    var pixel_32: GaborPixel;
     var of_12: GaborPairs;
     var layers: i32;
     var i_27: i32 = 0i;
     var layer_11: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_31 = _e8;
+    pixel_32 = _e8;
     let _e10 = gabor_impl_no_pairs();
     of_12 = _e10;
     let _e12 = gabor_impl_metal_layers(metal);
@@ -3291,7 +3297,7 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
         }
         {
             let _e23 = i_27;
-            let _e24 = pixel_31;
+            let _e24 = pixel_32;
             let _e25 = gabor_impl_metal_layer(_e23, _e24, metal, seed);
             layer_11 = _e25;
             let _e28 = i_27;
@@ -3397,11 +3403,11 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_33: GaborPixel;
+    var pixel_34: GaborPixel;
     var sum_23: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_30: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_33 = _e8;
+    pixel_34 = _e8;
     loop {
         let _e23 = i_30;
         if !((_e23 < 14i)) {
@@ -3409,7 +3415,7 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
         }
         let _e31 = i_30;
         let _e32 = i_30;
-        let _e33 = pixel_33;
+        let _e33 = pixel_34;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
         gabor_impl_add_scratches((&sum_23), scratches, _e31, _e35);
@@ -3493,33 +3499,33 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_37: GaborPixel;
+    var pixel_38: GaborPixel;
     var skin_4: GaborWarped;
     var direction_2: f32;
     var of_14: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_37 = _e8;
-    let _e10 = pixel_37;
+    pixel_38 = _e8;
+    let _e10 = pixel_38;
     let _e11 = gabor_impl_hide(_e10, seed);
     skin_4 = _e11;
-    let _e13 = pixel_37;
+    let _e13 = pixel_38;
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_14 = _e16;
-    let _e20 = pixel_37;
+    let _e20 = pixel_38;
     let _e21 = skin_4;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
     of_14.a = _e24;
-    let _e27 = pixel_37;
+    let _e27 = pixel_38;
     let _e28 = skin_4;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_14.b = _e31;
-    let _e34 = pixel_37;
+    let _e34 = pixel_38;
     let _e35 = skin_4;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
@@ -3670,13 +3676,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_40: GaborPixel;
+    var pixel_41: GaborPixel;
     var trunk_2: GaborWarped;
     var of_16: GaborPairs;
     var i_33: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_40 = _e8;
-    let _e10 = pixel_40;
+    pixel_41 = _e8;
+    let _e10 = pixel_41;
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3688,7 +3694,7 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
         }
         let _e25 = of_16;
         let _e27 = i_33;
-        let _e28 = pixel_40;
+        let _e28 = pixel_41;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3698,17 +3704,17 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
             i_33 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_40;
+    let _e34 = pixel_41;
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_16.b = _e37;
-    let _e40 = pixel_40;
+    let _e40 = pixel_41;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_16.c = _e43;
-    let _e46 = pixel_40;
+    let _e46 = pixel_41;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -3820,13 +3826,13 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
+    var pixel_44: GaborPixel;
     var rock_2: GaborWarped;
     var of_18: GaborPairs;
     var i_35: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_43 = _e8;
-    let _e10 = pixel_43;
+    pixel_44 = _e8;
+    let _e10 = pixel_44;
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3838,7 +3844,7 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
         }
         let _e25 = of_18;
         let _e27 = i_35;
-        let _e28 = pixel_43;
+        let _e28 = pixel_44;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3848,22 +3854,22 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
             i_35 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_43;
+    let _e34 = pixel_44;
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_18.b = _e37;
-    let _e40 = pixel_43;
+    let _e40 = pixel_44;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_18.c = _e43;
-    let _e46 = pixel_43;
+    let _e46 = pixel_44;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
     of_18.d = _e49;
-    let _e52 = pixel_43;
+    let _e52 = pixel_44;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
@@ -3876,13 +3882,13 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_44: GaborPixel;
+    var pixel_45: GaborPixel;
     var board_5: GaborWarped;
     var of_19: GaborPairs;
     var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_44 = _e6;
-    let _e8 = pixel_44;
+    pixel_45 = _e6;
+    let _e8 = pixel_45;
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3893,17 +3899,17 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_36;
-        let _e24 = pixel_44;
+        let _e24 = pixel_45;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_44;
+        let _e27 = pixel_45;
         gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
             let _e19 = i_36;
             i_36 = (_e19 + 1i);
         }
     }
-    let _e29 = pixel_44;
+    let _e29 = pixel_45;
     let _e30 = board_5;
     let _e31 = of_19;
     let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
@@ -3911,71 +3917,57 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_45: GaborPixel;
+    var pixel_46: GaborPixel;
     var cloth_6: GaborWarped;
-    var local_83: f32;
-    var local_84: f32;
     var count_10: vec2<f32>;
     var of_20: GaborPairs;
     var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_45 = _e6;
-    let _e8 = pixel_45;
+    pixel_46 = _e6;
+    let _e8 = pixel_46;
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
-    let _e11 = pixel_45;
-    if (fabric.weave < 0.5f) {
-        local_84 = 2f;
-    } else {
-        if (fabric.weave < 1.5f) {
-            local_83 = 4f;
-        } else {
-            local_83 = 16f;
-        }
-        let _e23 = local_83;
-        local_84 = _e23;
-    }
-    let _e25 = local_84;
-    let _e26 = gabor_impl_repeated(_e11, fabric.threads, _e25);
-    count_10 = _e26;
-    let _e28 = gabor_impl_no_pairs();
-    of_20 = _e28;
+    let _e11 = pixel_46;
+    let _e12 = gabor_impl_threads(_e11, fabric);
+    count_10 = _e12;
+    let _e14 = gabor_impl_no_pairs();
+    of_20 = _e14;
     loop {
-        let _e32 = i_37;
-        if !((_e32 < 4i)) {
+        let _e18 = i_37;
+        if !((_e18 < 4i)) {
             break;
         }
-        let _e40 = i_37;
-        let _e41 = cloth_6;
-        let _e42 = count_10;
-        let _e43 = gabor_impl_fabric_layer(_e40, _e41, _e42, seed);
-        let _e44 = pixel_45;
-        gabor_impl_add_filtered_spots((&of_20), _e43, _e44);
+        let _e26 = i_37;
+        let _e27 = cloth_6;
+        let _e28 = count_10;
+        let _e29 = gabor_impl_fabric_layer(_e26, _e27, _e28, seed);
+        let _e30 = pixel_46;
+        gabor_impl_add_filtered_spots((&of_20), _e29, _e30);
         continuing {
-            let _e36 = i_37;
-            i_37 = (_e36 + 1i);
+            let _e22 = i_37;
+            i_37 = (_e22 + 1i);
         }
     }
-    let _e46 = pixel_45;
-    let _e47 = cloth_6;
-    let _e48 = count_10;
-    let _e49 = of_20;
-    let _e50 = gabor_impl_fabric(_e46, _e47, _e48, fabric, _e49);
-    return _e50;
+    let _e32 = pixel_46;
+    let _e33 = cloth_6;
+    let _e34 = count_10;
+    let _e35 = of_20;
+    let _e36 = gabor_impl_fabric(_e32, _e33, _e34, fabric, _e35);
+    return _e36;
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_46: GaborPixel;
+    var pixel_47: GaborPixel;
     var cloth_7: GaborWarped;
     var count_11: vec2<f32>;
     var of_21: GaborPairs;
     var i_38: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_46 = _e6;
-    let _e8 = pixel_46;
+    pixel_47 = _e6;
+    let _e8 = pixel_47;
     let _e9 = gabor_impl_twill(_e8, seed);
     cloth_7 = _e9;
-    let _e11 = pixel_46;
+    let _e11 = pixel_47;
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
     count_11 = _e14;
     let _e16 = gabor_impl_no_pairs();
@@ -3989,14 +3981,14 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
         let _e29 = cloth_7;
         let _e30 = count_11;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_46;
+        let _e32 = pixel_47;
         gabor_impl_add_filtered_spots((&of_21), _e31, _e32);
         continuing {
             let _e24 = i_38;
             i_38 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_46;
+    let _e34 = pixel_47;
     let _e35 = cloth_7;
     let _e36 = count_11;
     let _e37 = of_21;
@@ -4005,15 +3997,15 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_47: GaborPixel;
+    var pixel_48: GaborPixel;
     var skin_5: GaborWarped;
     var of_22: GaborPairs;
     var i_39: i32 = 0i;
     var a_18: GaborLayer;
     var b_18: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_47 = _e6;
-    let _e8 = pixel_47;
+    pixel_48 = _e6;
+    let _e8 = pixel_48;
     let _e9 = gabor_impl_skin(_e8, leather, seed);
     skin_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4024,21 +4016,21 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
             break;
         }
         let _e23 = i_39;
-        let _e24 = pixel_47;
+        let _e24 = pixel_48;
         let _e25 = skin_5;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        let _e27 = pixel_47;
+        let _e27 = pixel_48;
         gabor_impl_add_filtered_spots((&of_22), _e26, _e27);
         continuing {
             let _e19 = i_39;
             i_39 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_47;
+    let _e30 = pixel_48;
     let _e31 = skin_5;
     let _e32 = gabor_impl_leather_layer(4i, _e30, _e31, leather, seed);
     a_18 = _e32;
-    let _e35 = pixel_47;
+    let _e35 = pixel_48;
     let _e36 = skin_5;
     let _e37 = gabor_impl_leather_layer(5i, _e35, _e36, leather, seed);
     b_18 = _e37;
@@ -4048,7 +4040,7 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     let _e43 = b_18;
     let _e44 = gabor_impl_waves_pair(_e43);
     of_22.d = _e44;
-    let _e45 = pixel_47;
+    let _e45 = pixel_48;
     let _e46 = a_18;
     let _e47 = gabor_impl_turns(_e46);
     let _e48 = b_18;
@@ -4059,7 +4051,7 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
 }
 
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_48: GaborPixel;
+    var pixel_49: GaborPixel;
     var stone_4: GaborWarped;
     var of_23: GaborPairs;
     var i_40: i32 = 0i;
@@ -4067,8 +4059,8 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var i_41: i32 = 4i;
     var layer_12: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_48 = _e6;
-    let _e8 = pixel_48;
+    pixel_49 = _e6;
+    let _e8 = pixel_49;
     let _e9 = gabor_impl_stone(_e8, marble, seed);
     stone_4 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4079,10 +4071,10 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_40;
-        let _e24 = pixel_48;
+        let _e24 = pixel_49;
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_48;
+        let _e27 = pixel_49;
         gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
             let _e19 = i_40;
@@ -4100,13 +4092,13 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         }
         {
             let _e44 = i_41;
-            let _e45 = pixel_48;
+            let _e45 = pixel_49;
             let _e46 = stone_4;
             let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
             layer_12 = _e47;
             let _e50 = i_41;
             let _e51 = layer_12;
-            let _e52 = pixel_48;
+            let _e52 = pixel_49;
             let _e53 = gabor_impl_filtered_waves(_e51, _e52);
             gabor_impl_add_veins((&material_1), marble, _e50, _e53);
         }
@@ -4120,14 +4112,14 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_49: GaborPixel;
+    var pixel_50: GaborPixel;
     var dune_3: GaborWarped;
     var of_24: GaborPairs;
     var i_42: i32 = 0i;
     var ripples_2: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_49 = _e6;
-    let _e8 = pixel_49;
+    pixel_50 = _e6;
+    let _e8 = pixel_50;
     let _e9 = gabor_impl_dune(_e8, seed);
     dune_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4138,22 +4130,22 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_42;
-        let _e24 = pixel_49;
+        let _e24 = pixel_50;
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
-        let _e27 = pixel_49;
+        let _e27 = pixel_50;
         gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
             let _e19 = i_42;
             i_42 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_49;
+    let _e30 = pixel_50;
     let _e31 = dune_3;
     let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
     ripples_2 = _e32;
     let _e35 = ripples_2;
-    let _e36 = pixel_49;
+    let _e36 = pixel_50;
     let _e37 = gabor_impl_filtered_waves(_e35, _e36);
     of_24.c = _e37;
     let _e38 = ripples_2;
@@ -4163,13 +4155,13 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_50: GaborPixel;
+    var pixel_51: GaborPixel;
     var of_25: GaborPairs;
     var layers_1: i32;
     var i_43: i32 = 0i;
     var layer_13: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_50 = _e6;
+    pixel_51 = _e6;
     let _e8 = gabor_impl_no_pairs();
     of_25 = _e8;
     let _e10 = gabor_impl_metal_layers(metal);
@@ -4182,13 +4174,13 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
         }
         {
             let _e21 = i_43;
-            let _e22 = pixel_50;
+            let _e22 = pixel_51;
             let _e23 = gabor_impl_metal_layer(_e21, _e22, metal, seed);
             layer_13 = _e23;
             let _e26 = i_43;
             let _e27 = layer_13;
             let _e28 = layer_13;
-            let _e29 = pixel_50;
+            let _e29 = pixel_51;
             let _e30 = gabor_impl_filtered_spots(_e28, _e29);
             gabor_impl_add_metal((&of_25), _e26, _e27, _e30);
         }
@@ -4203,11 +4195,11 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_51: GaborPixel;
+    var pixel_52: GaborPixel;
     var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_44: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_51 = _e6;
+    pixel_52 = _e6;
     loop {
         let _e21 = i_44;
         if !((_e21 < 14i)) {
@@ -4215,9 +4207,9 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
         }
         let _e29 = i_44;
         let _e30 = i_44;
-        let _e31 = pixel_51;
+        let _e31 = pixel_52;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = pixel_51;
+        let _e33 = pixel_52;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
         gabor_impl_add_scratches((&sum_24), scratches, _e29, _e34);
         continuing {
@@ -4231,17 +4223,17 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_52: GaborPixel;
+    var pixel_53: GaborPixel;
     var skin_6: GaborWarped;
     var direction_3: f32;
     var of_26: GaborPairs;
     var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_52 = _e6;
-    let _e8 = pixel_52;
+    pixel_53 = _e6;
+    let _e8 = pixel_53;
     let _e9 = gabor_impl_hide(_e8, seed);
     skin_6 = _e9;
-    let _e11 = pixel_52;
+    let _e11 = pixel_53;
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
@@ -4252,22 +4244,22 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
             break;
         }
         let _e26 = i_45;
-        let _e27 = pixel_52;
+        let _e27 = pixel_53;
         let _e28 = skin_6;
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        let _e31 = pixel_52;
+        let _e31 = pixel_53;
         gabor_impl_add_filtered_spots((&of_26), _e30, _e31);
         continuing {
             let _e22 = i_45;
             i_45 = (_e22 + 1i);
         }
     }
-    let _e35 = pixel_52;
+    let _e35 = pixel_53;
     let _e36 = skin_6;
     let _e37 = direction_3;
     let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
-    let _e39 = pixel_52;
+    let _e39 = pixel_53;
     let _e40 = gabor_impl_filtered_waves(_e38, _e39);
     of_26.c = _e40;
     let _e41 = of_26;
@@ -4276,15 +4268,15 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_53: GaborPixel;
+    var pixel_54: GaborPixel;
     var trunk_3: GaborWarped;
     var of_27: GaborPairs;
     var i_46: i32 = 0i;
     var i_47: i32 = 6i;
     var pair_5: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_53 = _e6;
-    let _e8 = pixel_53;
+    pixel_54 = _e6;
+    let _e8 = pixel_54;
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4295,10 +4287,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_46;
-        let _e24 = pixel_53;
+        let _e24 = pixel_54;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        let _e27 = pixel_53;
+        let _e27 = pixel_54;
         gabor_impl_add_filtered_spots((&of_27), _e26, _e27);
         continuing {
             let _e19 = i_46;
@@ -4312,10 +4304,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         }
         {
             let _e38 = i_47;
-            let _e39 = pixel_53;
+            let _e39 = pixel_54;
             let _e40 = trunk_3;
             let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
-            let _e42 = pixel_53;
+            let _e42 = pixel_54;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_5 = _e43;
             let _e45 = i_47;
@@ -4338,13 +4330,13 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_54: GaborPixel;
+    var pixel_55: GaborPixel;
     var rock_3: GaborWarped;
     var of_28: GaborPairs;
     var i_48: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_54 = _e6;
-    let _e8 = pixel_54;
+    pixel_55 = _e6;
+    let _e8 = pixel_55;
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4355,10 +4347,10 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_48;
-        let _e24 = pixel_54;
+        let _e24 = pixel_55;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        let _e27 = pixel_54;
+        let _e27 = pixel_55;
         gabor_impl_add_filtered_spots((&of_28), _e26, _e27);
         continuing {
             let _e19 = i_48;
