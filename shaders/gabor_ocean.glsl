@@ -7,7 +7,7 @@
 //     vec2 place = p + w.shift;                                      // of the water, at the height w.height
 //
 // I want water under a pixel: gabor_water_filtered. A boat's height: gabor_water_height. A world of any size, or months of
-// time: gabor_water_at. Another direction or fetch: gabor_ocean_of.
+// time: gabor_water_at. Another direction or fetch, a swell, or a film that loops: gabor_ocean_of.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -27,12 +27,12 @@
 // Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
-    vec2 slopes;     // variance of the slopes along the wind and across it
+    vec2 slopes;     // variance of the slopes along the band's direction and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     float low;       // 65536 times the lowest frequency in Hz
     vec4 quarter;    // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
-    vec3 spread;     // sin(d / 2) of an angle d from the wind is a u + b u^3 + c v, u and v uniform in [-1, 1], here times 4092,
-    vec2 widen;      // times a linear function of the frequency, here times 16384
+    vec3 spread;     // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1], here
+    vec2 widen;      // times 4092, times a linear function of the frequency, here times 16384
     ivec2 drift;     // 32768 times the group velocity in nodes per second
 };
 
@@ -40,15 +40,20 @@ struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind
+    vec3 swell;      // significant height in metres, 4 times the rms height, period in seconds, direction
+    int loop;        // the seconds after which all repeats, or 0
     vec2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
-    GaborOceanBand band[GABOR_OCEAN_BANDS];
+    GaborOceanBand band[GABOR_OCEAN_BANDS + 1]; // the swell is the last
 };
 
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
+// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
-//     integers may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell from a remote storm has a period of 5 to 25 s and sharper
+//     peaks [G10]: vec3(0.0) for none. For films, all can repeat after a loop of 8, 16, 32 ... 4096 seconds. Its price:
+//     frequencies are multiples of 1 / loop, few for long waves, and groups of waves stand still. Compute a sea once, on the
+//     CPU if the CPU also asks for heights: the integers may round differently on another device. To change a member, call
+//     this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -74,8 +79,9 @@ struct GaborWater {
 //     vec2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
-// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980.
-// [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda,
+// "Random seas and design of maritime structures", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the
+// sea surface from photographs of the sun's glitter", 1954.
 
 // ====================================================================================================================
 // Private implementation
@@ -87,14 +93,14 @@ struct GaborWater {
 // from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
-// Bands 1 to 3 hold most of the height. There, three nodes along each axis, of normal amplitudes, keep it normal. In the
+// Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
 // other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
 // waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
-vec2 gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz, and the same times f^4
+vec2 gabor_impl_spectrum(float f, float peak, float scale, float sharp) { // JONSWAP, in m^2 / Hz, and the same times f^4
     float below = peak / f, apart = (f / peak - 1.0) / (f < peak ? 0.07 : 0.09), squares = f * f * f * f;
     below *= below;
-    return scale / f * exp(1.1939225 * exp(-0.5 * apart * apart) - 1.25 * below * below) * vec2(1.0 / squares, 1.0); // ln 3.3
+    return scale / f * exp(sharp * exp(-0.5 * apart * apart) - 1.25 * below * below) * vec2(1.0 / squares, 1.0);
 }
 
 // The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
@@ -108,29 +114,42 @@ float gabor_impl_quantile(float share, vec4 sums, vec4 starts, vec4 ends) {
     return 106.0 * (within + (share < sums.x ? 0.0 : share < sums.y ? 1.0 : share < sums.z ? 2.0 : 3.0));
 }
 
-GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
+// Whether a band sums three nodes along each axis.
+bool gabor_impl_three(int band) {
+    return (band > 0 && band < 4) || band == GABOR_OCEAN_BANDS;
+}
+
+GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop) {
     float gravity = 9.81, tick = 1.52587890625e-5;
     GaborOcean ocean;
     ocean.wind = clamp(wind, 2.0, 30.0);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
-    vec2 heading = gabor_impl_wave(0.15915494 * direction);
-    float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind);
-    float peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
-    float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455; // (2 pi)^4
+    ocean.swell = vec3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
+    ocean.loop = loop > 0 ? 1 << int(log2(float(clamp(loop, 8, 4096))) + 0.01) : 0;
+    float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
+    float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455, sharp = 1.1939225; // (2 pi)^4, ln 3.3
     int power = int(floor(log2(0.62 * peak / tick)));
     ocean.tail = vec2(0.00316, 0.00192) * ocean.wind + vec2(0.0, 0.003);
-    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
-        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0, width = 0.10351562 * low, variance = 0.0;
-        vec2 sum = vec2(0.0), first = gabor_impl_spectrum(tick * low, peak, scale);
+    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
+        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0;
+        bool remote = i == GABOR_OCEAN_BANDS;
+        if (remote) { // the swell
+            peak = 1.0 / ocean.swell.y;
+            low = 64.0 * floor(0.0132813 * peak / tick + 0.5); // 0.85 times the peak
+            sharp = 2.0794415; // ln 8
+            direction = ocean.swell.z;
+        }
+        float width = 0.10351562 * low, variance = 0.0;
+        vec2 sum = vec2(0.0), first = gabor_impl_spectrum(tick * low, peak, scale, sharp);
         vec4 sums = vec4(0.0), starts = vec4(0.0), ends = vec4(0.0), fit = vec4(0.0);
         for (int j = 0; j < 4; ++j) { // Simpson's rule
             float f = tick * (low + float(j) * width), step = tick * width, x = 106.0 * float(j) - 159.0; // rise - 1236
-            vec2 middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
+            vec2 middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale, sharp), last = gabor_impl_spectrum(f + step, peak, scale, sharp);
             vec2 part = step / 6.0 * (first + 4.0 * middle + last);
             sum += part;
             // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-            float above = (f + 0.5 * step) / peak, here = 0.5 / (9.77 * pow(above, above < 1.0 ? 4.06 : -2.34) + 1.0);
+            float above = (f + 0.5 * step) / peak, s = remote ? 75.0 : 9.77 * pow(above, above < 1.0 ? 4.06 : -2.34), here = 0.5 / (s + 1.0);
             variance += part.x * here;
             fit += part.x * vec4(x, sqrt(here), x * x, x * sqrt(here));
             sums = vec4(sums.yzw, sum.x);
@@ -142,7 +161,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         fit /= sum.x;
         float deviation = sqrt(variance), narrow = 0.5 / variance - 1.8, c = 0.9 * deviation * clamp(narrow, 0.0, 1.0);
         float widen = clamp(0.3 * narrow, 0.0, 1.0) * (fit.w - fit.x * fit.y) / ((fit.z - fit.x * fit.x) * deviation);
-        widen = 6.1035156e-5 * floor(clamp(16384.0 * widen, -32.0, 32.0)); // by rise, in whole units of 2^-14
+        widen = 6.1035156e-5 * floor(clamp(16384.0 * widen, -32.0, 32.0) + 0.5); // by rise, in whole units of 2^-14
         float most = 1.0 / (1.0 + 212.0 * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
         float end = min(1.8 * deviation, most - c), rest = variance - c * c / 3.0;
         // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
@@ -156,16 +175,17 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         vec3 quartile = floor(vec3(gabor_impl_quantile(0.2443, sums, starts, ends), gabor_impl_quantile(0.4885, sums, starts, ends),
                                    gabor_impl_quantile(0.7328, sums, starts, ends)) + 0.5);
         GaborOceanBand band;
-        float shown = low > 262144.0 ? 0.0 : 1.0; // waves shorter than 0.1 m are capillary
-        band.amplitude = shown * sqrt(sum.x);
-        band.slopes = shown * sum.y * 16.195056 * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
-        ocean.tail -= band.slopes;
-        band.exponent = 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
+        float tall = remote ? 0.0625 * ocean.swell.x * ocean.swell.x : low > 262144.0 ? 0.0 : sum.x; // below 0.1 m, waves are capillary
+        band.amplitude = sqrt(tall);
+        band.slopes = 16.195056 * tall * sum.y / sum.x * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
+        if (!remote) ocean.tail -= band.slopes;
+        band.exponent = remote ? int(floor(log2(9.0 / (peak * peak)))) : 34 - 2 * power - i - (gabor_impl_three(i) ? 0 : 1);
         band.low = low;
         band.quarter = vec4(quartile, 424.0) - vec4(0.0, quartile);
         band.spread = floor(4092.0 * vec3(a, b, c));
         band.widen = floor(16384.0 * vec2(1.0 - fit.x * widen, widen));
-        band.drift = ivec2(floor(32768.0 * speed * exp2(-float(band.exponent)) * heading + 0.5));
+        speed *= ocean.loop > 0 ? 0.0 : 32768.0 * exp2(-float(band.exponent));
+        band.drift = ivec2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
         ocean.band[i] = band;
     }
     ocean.tail = max(ocean.tail, 0.0);
@@ -173,7 +193,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
 }
 
 GaborOcean gabor_ocean(float wind) {
-    return gabor_ocean_of(wind, 0.0, 2.0e5);
+    return gabor_ocean_of(wind, 0.0, 2.0e5, vec3(0.0), 0);
 }
 
 // The whole part of x >= 0. For it, C++ compilers have no fast floor.
@@ -185,17 +205,17 @@ float gabor_impl_whole(float x) {
 #endif
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
-// derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
-// slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
-void gabor_impl_add_water(inout GaborWater sum, inout vec2 tilt, inout vec3 squeeze, uint word, vec2 from, vec3 window,
-                          GaborOceanBand band, float wave, vec3 shape, int second, float fraction, vec2 dx, vec2 dy) {
+// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
+// rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
+// last is its deviation, times k / wave. `quantum` is 65536 / loop, or 0. `squeeze` collects the derivatives of the shift. It and
+// `lost` have the parts xx, xy and xx + yy.
+void gabor_impl_add_water(inout GaborWater sum, inout vec3 squeeze, uint word, vec2 from, vec3 window, GaborOceanBand band,
+                          vec2 heading, float quantum, float wave, vec3 shape, int second, float fraction, vec2 dx, vec2 dy) {
     uint bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
     float share = 0.00390625 * float(bits >> 22u); // of 4
     vec4 below = band.quarter * clamp(share - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
-    float rise = gabor_impl_whole(1024.0 + below.x + below.y + below.z + below.w), square = rise * rise; // rise = 1024 F / low
+    float rise = gabor_impl_whole(1024.0 + below.x + below.y + below.z + below.w); // 1024 F / low
     float u = 2.0 * float((bits >> 11u) & 2047u) - 2047.0, v = 2.0 * float(bits & 2047u) - 2047.0;
     float bent = gabor_impl_whole(band.spread.x + 4.8828125e-4 * band.spread.y * gabor_impl_whole(4.8828125e-4 * u * u));
     float side = u * bent + v * band.spread.z;
@@ -203,11 +223,14 @@ void gabor_impl_add_water(inout GaborWater sum, inout vec2 tilt, inout vec3 sque
     // `carried` times 861 / 2048, nearly 2^(-5/4).
     float angle = gabor_impl_whole(1.2207031e-4 * abs(side)) * (band.widen.x + band.widen.y * (rise - 1236.0));
     float part = gabor_impl_whole(1.2207031e-4 * angle), lag = gabor_impl_whole(4.8828125e-4 * part * part);
-    float steep = gabor_impl_whole(9.765625e-4 * square), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
-    float turning = gabor_impl_whole(0.0078125 * (2048.0 * rise - 861.0 * carried));
-    turning = gabor_impl_whole(turning * (6.103515625e-5 * band.low));
-    float k = wave * square, around = 6.2831853 * k, chord = (side < 0.0 ? -1.1920929e-7 : 1.1920929e-7) * angle;
-    vec2 unit = vec2(1.0 - 0.5 * chord * chord, chord * sqrt(1.0 - 0.25 * chord * chord));
+    float steep = gabor_impl_whole(9.765625e-4 * rise * rise), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
+    float turning = gabor_impl_whole(gabor_impl_whole(0.0078125 * (2048.0 * rise - 861.0 * carried)) * (6.103515625e-5 * band.low));
+    if (quantum > 0.0) { // the lattice stands
+        turning = quantum * max(gabor_impl_whole(rise * (9.765625e-4 * band.low / quantum) + 0.5), 1.0);
+        rise = 1024.0 * turning / band.low;
+    }
+    float k = wave * rise * rise, around = 6.2831853 * k, chord = (side < 0.0 ? -1.1920929e-7 : 1.1920929e-7) * angle;
+    vec2 unit = gabor_impl_product(heading, vec2(1.0 - 0.5 * chord * chord, chord * sqrt(1.0 - 0.25 * chord * chord)));
     float turns = float(((uint(turning) & 0xffffu) * (uint(second) & 0xffffu)) & 0xffffu) + turning * fraction;
     vec2 uniforms = vec2(float(int(word)), float(int(word << 12u)));
     vec2 amplitude = (uniforms - shape.x * clamp(uniforms, -2.0119258e9, 2.0119258e9)) * (uniforms * uniforms + shape.y);
@@ -215,15 +238,16 @@ void gabor_impl_add_water(inout GaborWater sum, inout vec2 tilt, inout vec3 sque
     vec2 steps = around * vec2(dot(unit, dx), dot(unit, dy));
     float kept = exp(-0.125 * dot(steps, steps));
     z *= kept;
-    tilt += z.y * window.yz;
+    sum.slope += z.y * window.yz;
     z *= window.x;
     vec2 along = z.x * unit;
-    float squeezing = around * z.y, power = shape.z * window.x * around, lost = power * power * (1.0 - kept * kept);
+    vec3 squares = vec3(unit.x * unit, 1.0);
+    float power = shape.z * window.x * around;
     sum.height += z.y;
     sum.slope += around * along;
     sum.shift += along;
-    squeeze += squeezing * vec3(unit.x * unit, 1.0);
-    sum.lost += lost * vec3(unit.x * unit, 1.0);
+    squeeze += around * z.y * squares;
+    sum.lost += power * power * (1.0 - kept * kept) * squares;
 }
 
 // Splits 2^-exponent (cell + local) - drift (second + fraction) into a whole number and a rest, exactly.
@@ -248,28 +272,27 @@ void gabor_impl_water_windows(bool three, float x, out vec4 value, out vec4 slop
     }
 }
 
-// The parts of v along a unit vector and across it.
-vec2 gabor_impl_into(vec2 v, vec2 by) {
-    return vec2(v.x * by.x + v.y * by.y, v.y * by.x - v.x * by.y);
+// The parts xx, xy and xx + yy of a covariance with these variances along a unit vector and across it.
+vec3 gabor_impl_slopes_along(vec2 variances, vec2 along) {
+    return vec3((variances.x - variances.y) * along.x * along + vec2(variances.y, 0.0), variances.x + variances.y);
 }
 
 GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean, uint seed) {
-    vec2 heading = gabor_impl_wave(0.15915494 * ocean.direction), back = vec2(heading.x, -heading.y);
-    GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0)); // along the wind and across it, until the end
-    vec2 tilt = vec2(0.0), hidden = ocean.tail;
+    vec2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
+    GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     vec3 squeeze = vec3(0.0);
+    float quantum = ocean.loop > 0 ? 65536.0 / float(ocean.loop) : 0.0;
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
-    dx = gabor_impl_into(dx, heading);
-    dy = gabor_impl_into(dy, heading);
-    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
+    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
+        vec2 heading = i < GABOR_OCEAN_BANDS ? wind : swell;
         float longest = 1.486e-10 * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
         if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
-            hidden += band.slopes;
+            water.lost += gabor_impl_slopes_along(band.slopes, heading);
             continue;
         }
-        bool three = i > 0 && i < 4;
+        bool three = gabor_impl_three(i);
         uint salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
         int whole_x, whole_y;
         float rest_x, rest_y;
@@ -291,23 +314,19 @@ GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, ve
         float wave = (three ? 0.6383 : 0.622) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
         uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
         uint right = gabor_impl_line_word(node.x + 2, salt);
-        vec2 across = spacing * back, from = gabor_impl_into(spacing * offset, heading), down = spacing * heading.yx;
+        vec2 from = spacing * offset;
         for (int j = 0; j < (three ? 3 : 2); ++j) {
             uint row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
             vec2 w = j == 0 ? vec2(y.x, slope_y.x) : j == 1 ? vec2(y.y, slope_y.y) : vec2(y.z, slope_y.z);
-            gabor_impl_add_water(water, tilt, squeeze, row * left, from, vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, wave, shape, second, fraction, dx, dy);
-            gabor_impl_add_water(water, tilt, squeeze, row * middle, from - across, vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, wave, shape, second, fraction, dx, dy);
+            gabor_impl_add_water(water, squeeze, row * left, from, vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+            gabor_impl_add_water(water, squeeze, row * middle, from - vec2(spacing, 0.0), vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
             if (three)
-                gabor_impl_add_water(water, tilt, squeeze, row * right, from - 2.0 * across, vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, wave, shape, second, fraction, dx, dy);
-            from -= down;
+                gabor_impl_add_water(water, squeeze, row * right, from - vec2(2.0 * spacing, 0.0), vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+            from.y -= spacing;
         }
     }
-    water.slope = gabor_impl_into(water.slope, back) + tilt;
-    water.shift = gabor_impl_into(water.shift, back);
     water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
-    float mean = 0.5 * (water.lost.z + hidden.x + hidden.y); // the other parts of a covariance turn twice
-    vec2 parts = gabor_impl_into(gabor_impl_into(vec2(water.lost.x + hidden.x - mean, water.lost.y), back), back);
-    water.lost = vec3(mean + parts.x, mean - parts.x, parts.y);
+    water.lost = vec3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
     return water;
 }
 

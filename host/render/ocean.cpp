@@ -23,18 +23,25 @@ struct alignas(16) Band {
 };
 struct Ocean {
     float wind, direction, fetch;
+    alignas(16) float swell[3];
+    int loop;
     passes::vec2 tail;
-    Band band[GABOR_OCEAN_BANDS];
+    Band band[GABOR_OCEAN_BANDS + 1];
 };
-static_assert(sizeof(Ocean) == 32 + GABOR_OCEAN_BANDS * 80);
+static_assert(sizeof(Ocean) == 48 + (GABOR_OCEAN_BANDS + 1) * 80);
 
 } // namespace
 
 std::vector<std::byte> ocean_table(const Sea& sea) {
-    const GaborOcean made =
-        gabor_ocean_of(static_cast<float>(sea.wind), 0, static_cast<float>(1000 * sea.fetch));
-    Ocean table{made.wind, made.direction, made.fetch, {made.tail.x, made.tail.y}, {}};
-    for (std::size_t i = 0; i < GABOR_OCEAN_BANDS; ++i) {
+    const auto single = [](double value) { return static_cast<float>(value); };
+    const GaborOcean made = gabor_ocean_of(
+        single(sea.wind), 0, single(1000 * sea.fetch),
+        {single(sea.swell), single(sea.swell_period), single(noise::radians(sea.swell_direction))}, sea.loop);
+    Ocean table{made.wind,  made.direction,
+                made.fetch, {made.swell.x, made.swell.y, made.swell.z},
+                made.loop,  {made.tail.x, made.tail.y},
+                {}};
+    for (std::size_t i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
         const GaborOceanBand& b = made.band[i];
         table.band[i] = {b.amplitude,
                          {b.slopes.x, b.slopes.y},

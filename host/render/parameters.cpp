@@ -338,12 +338,41 @@ std::vector<Parameter> terrain_rows() {
             by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
 }
 
+// Sea::loop is 0 or a power of 2 from 8.
+constexpr std::array<std::string_view, 8> loops{"never", "8", "16", "32", "64", "128", "256", "512"};
+
+Place seconds_of_loop() {
+    return {[](const Request& request) -> std::optional<Value> {
+                const auto* sea = std::get_if<Sea>(&request.view);
+                if (!sea)
+                    return std::nullopt;
+                return std::string(sea->loop == 0
+                                       ? loops[0]
+                                       : loops[static_cast<std::size_t>(
+                                             std::countr_zero(static_cast<unsigned>(sea->loop)) - 2)]);
+            },
+            [](Request& request, const Value& value) {
+                const auto index = std::ranges::find(loops, std::get<std::string>(value)) - loops.begin();
+                std::get<Sea>(request.view).loop = index == 0 ? 0 : 4 << index;
+            }};
+}
+
 std::vector<Parameter> sea_rows() {
     return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
                 "Wind that raises the sea, 10 m up", in_view(&Sea::wind)),
             row("fetch", Kind::number, "kilometres", {1, 1000}, {1, 1000}, scopes::sea,
                 "Open water upwind: a few kilometres for a lake, 200 or more for a grown sea",
                 in_view(&Sea::fetch)),
+            row("swell", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
+                "Significant height of a swell from a far storm, from trough to crest; 0 for none",
+                in_view(&Sea::swell)),
+            row("swell_period", Kind::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
+                "Time from crest to crest of the swell", in_view(&Sea::swell_period)),
+            row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
+                "Where the swell goes, from the direction of the wind", in_view(&Sea::swell_direction)),
+            row("loop", Kind::choice, "seconds", none, none, scopes::sea,
+                "Time after which the sea repeats exactly, for films; groups of waves then stand still",
+                seconds_of_loop(), {loops.begin(), loops.end()}),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
 }

@@ -60,13 +60,17 @@ struct Terrain {
 
 /// A sea in perspective under a clear sky. Its waves travel along +x.
 struct Sea {
-    double wind = 10;          ///< metres per second
-    double fetch = 200;        ///< kilometres of open water upwind
-    double altitude = 8;       ///< of the camera, in metres
-    double yaw = 250;          ///< camera azimuth in degrees
-    double pitch = 6;          ///< angle by which the camera looks down, in degrees
-    double zoom = 1;           ///< factor of the focal length
-    double focal_length = 0.8; ///< of the camera, relative to the longer side of the picture
+    double wind = 10;            ///< metres per second
+    double fetch = 200;          ///< kilometres of open water upwind
+    double swell = 0;            ///< its significant height in metres, 0 for none
+    double swell_period = 12;    ///< seconds
+    double swell_direction = 60; ///< where it goes: degrees from the wind's direction
+    int loop = 0;                ///< seconds after which all repeats, a power of 2, or 0
+    double altitude = 8;         ///< of the camera, in metres
+    double yaw = 250;            ///< camera azimuth in degrees
+    double pitch = 6;            ///< angle by which the camera looks down, in degrees
+    double zoom = 1;             ///< factor of the focal length
+    double focal_length = 0.8;   ///< of the camera, relative to the longer side of the picture
     bool operator==(const Sea&) const = default;
 };
 

@@ -37,7 +37,12 @@ void reset_orbit(render::View& view) {
         *terrain = {
             .perspective = terrain->perspective, .extent = terrain->extent, .tileable = terrain->tileable};
     if (auto* sea = std::get_if<render::Sea>(&view))
-        *sea = {.wind = sea->wind, .fetch = sea->fetch};
+        *sea = {.wind = sea->wind,
+                .fetch = sea->fetch,
+                .swell = sea->swell,
+                .swell_period = sea->swell_period,
+                .swell_direction = sea->swell_direction,
+                .loop = sea->loop};
 }
 
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {

@@ -329,9 +329,10 @@ std::string sea_snippet(const View& view) {
     return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
            shaders({"seascape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
-                "sea_of(gabor_ocean_of({}, 0.0, {}), {}u, {}, {}, {});\n"
+                "sea_of(gabor_ocean_of({}, 0.0, {}, vec3({}, {}, {}), {}), {}u, {}, {}, {});\n"
                 "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",
-                head(view, "vec3 colour"), sea.wind, 1000 * sea.fetch, push.seed, push.second, push.fraction,
+                head(view, "vec3 colour"), sea.wind, 1000 * sea.fetch, sea.swell, sea.swell_period,
+                noise::radians(sea.swell_direction), sea.loop, push.seed, push.second, push.fraction,
                 push.sun, push.altitude, push.yaw, push.pitch, push.center, push.pixel);
 }
 

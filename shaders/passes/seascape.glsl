@@ -13,7 +13,7 @@ struct Sea {
 // `sun` holds x and y of the unit vector to the sun.
 Sea sea_of(GaborOcean ocean, uint seed, int second, float fraction, vec2 sun) {
     float variance = 0.0;
-    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) variance += ocean.band[i].amplitude * ocean.band[i].amplitude;
+    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) variance += ocean.band[i].amplitude * ocean.band[i].amplitude;
     vec3 toward = vec3(sun.x, sqrt(max(1.0 - dot(sun, sun), 0.0)), sun.y);
     return Sea(ocean, seed, second, fraction, toward, sqrt(variance));
 }

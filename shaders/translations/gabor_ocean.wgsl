@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e8a5f3bb49fb35bf.
+// naga 30.0.1 made it from GLSL with the digest 1408ae29cda8ef01.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -11,19 +11,19 @@
 //     vec2f place = p + w.shift;                                      // of the water, at the height w.height
 //
 // I want water under a pixel: gabor_water_filtered. A boat's height: gabor_water_height. A world of any size, or months of
-// time: gabor_water_at. Another direction or fetch: gabor_ocean_of.
+// time: gabor_water_at. Another direction or fetch, a swell, or a film that loops: gabor_ocean_of.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 // Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     amplitude: f32, // rms height in metres
-    slopes: vec2<f32>, // variance of the slopes along the wind and across it
+    slopes: vec2<f32>, // variance of the slopes along the band's direction and across it
     exponent: i32, // the spacing of nodes is 2^exponent metres
     low: f32, // 65536 times the lowest frequency in Hz
     quarter: vec4<f32>, // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
-    spread: vec3<f32>, // sin(d / 2) of an angle d from the wind is a u + b u^3 + c v, u and v uniform in [-1, 1], here times 4092,
-    widen: vec2<f32>, // times a linear function of the frequency, here times 16384
+    spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1], here
+    widen: vec2<f32>, // times 4092, times a linear function of the frequency, here times 16384
     drift: vec2<i32>, // 32768 times the group velocity in nodes per second
 }
 
@@ -31,15 +31,20 @@ struct GaborOcean {
     wind: f32, // speed in metres per second, 10 m up
     direction: f32, // where the waves go: radians from +x towards +y
     fetch: f32, // metres of open water upwind
+    swell: vec3<f32>, // significant height in metres, 4 times the rms height, period in seconds, direction
+    loop_: i32, // the seconds after which all repeats, or 0
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
-    band: array<GaborOceanBand, 9>,
+    band: array<GaborOceanBand, 10>, // the swell is the last
 }
 
 // GaborOcean gabor_ocean(f32 wind)
-// GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch)
+// GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
-//     integers may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell from a remote storm has a period of 5 to 25 s and sharper
+//     peaks [G10]: vec3f(0.0) for none. For films, all can repeat after a loop of 8, 16, 32 ... 4096 seconds. Its price:
+//     frequencies are multiples of 1 / loop, few for long waves, and groups of waves stand still. Compute a sea once, on the
+//     CPU if the CPU also asks for heights: the integers may round differently on another device. To change a member, call
+//     this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -65,8 +70,9 @@ struct GaborWater {
 //     vec2f(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
-// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980.
-// [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda,
+// "Random seas and design of maritime structures", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the
+// sea surface from photographs of the sun's glitter", 1954.
 
 // ====================================================================================================================
 // Private implementation
@@ -78,11 +84,11 @@ struct GaborWater {
 // from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
-// Bands 1 to 3 hold most of the height. There, three nodes along each axis, of normal amplitudes, keep it normal. In the
+// Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
 // other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
 // waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
-fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> vec2<f32> {
+fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32, sharp: f32) -> vec2<f32> {
     var below: f32;
     var local_11: f32;
     var apart: f32;
@@ -93,18 +99,18 @@ fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32) -> vec2<f32> {
     } else {
         local_11 = 0.09f;
     }
-    let _e12 = local_11;
-    apart = (((f / peak) - 1f) / _e12);
+    let _e13 = local_11;
+    apart = (((f / peak) - 1f) / _e13);
     squares = (((f * f) * f) * f);
-    let _e19 = below;
     let _e20 = below;
-    below = (_e19 * _e20);
+    let _e21 = below;
+    below = (_e20 * _e21);
     let _e26 = apart;
     let _e28 = apart;
     let _e33 = below;
     let _e35 = below;
     let _e41 = squares;
-    return (((scale / f) * exp(((1.1939225f * exp(((-0.5f * _e26) * _e28))) - ((1.25f * _e33) * _e35)))) * vec2<f32>((1f / _e41), 1f));
+    return (((scale / f) * exp(((sharp * exp(((-0.5f * _e26) * _e28))) - ((1.25f * _e33) * _e35)))) * vec2<f32>((1f / _e41), 1f));
 }
 
 // The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
@@ -190,18 +196,26 @@ fn gabor_impl_quantile(share: f32, sums: vec4<f32>, starts: vec4<f32>, ends: vec
     return (106f * (_e91 + _e110));
 }
 
-fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
+// Whether a band sums three nodes along each axis.
+fn gabor_impl_three(band: i32) -> bool {
+    return (((band > 0i) && (band < 4i)) || (band == 9i));
+}
+
+fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
+    var direction_1: f32;
     var gravity: f32 = 9.81f;
     var tick: f32 = 0.000015258789f;
     var ocean: GaborOcean;
-    var heading: vec2<f32>;
+    var local_18: i32;
     var reach_1: f32;
     var peak_1: f32;
     var scale_1: f32;
+    var sharp_1: f32 = 1.1939225f;
     var power_1: i32;
     var i: i32 = 0i;
-    var local_18: i32;
+    var local_19: i32;
     var low: f32;
+    var remote: bool;
     var width: f32;
     var variance: f32;
     var sum_5: vec2<f32>;
@@ -218,7 +232,9 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var last: vec2<f32>;
     var part: vec2<f32>;
     var above: f32;
-    var local_19: f32;
+    var local_20: f32;
+    var local_21: f32;
+    var s_2: f32;
     var here: f32;
     var deviation: f32;
     var narrow: f32;
@@ -233,294 +249,364 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var along: f32;
     var speed: f32;
     var quartile: vec3<f32>;
-    var band: GaborOceanBand;
-    var local_20: f32;
-    var shown: f32;
-    var local_21: i32;
+    var band_1: GaborOceanBand;
+    var local_22: f32;
+    var local_23: f32;
+    var tall: f32;
+    var local_24: i32;
+    var local_25: i32;
+    var local_26: f32;
+    direction_1 = direction;
     ocean.wind = clamp(wind, 2f, 30f);
-    ocean.direction = direction;
+    let _e16 = direction_1;
+    ocean.direction = _e16;
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
-    let _e19 = gabor_impl_wave((0.15915494f * direction));
-    heading = _e19;
-    let _e21 = gravity;
-    let _e22 = ocean;
-    let _e25 = ocean;
-    let _e27 = ocean;
-    reach_1 = ((_e21 * _e22.fetch) / (_e25.wind * _e27.wind));
-    let _e33 = gravity;
-    let _e35 = ocean;
-    let _e38 = reach_1;
-    peak_1 = (((3.5f * _e33) / _e35.wind) * pow(_e38, -0.33f));
-    let _e45 = reach_1;
-    let _e50 = gravity;
-    let _e52 = gravity;
-    scale_1 = ((((0.076f * pow(_e45, -0.22f)) * _e50) * _e52) / 1558.5455f);
-    let _e58 = peak_1;
-    let _e60 = tick;
-    power_1 = i32(floor(log2(((0.62f * _e58) / _e60))));
-    let _e70 = ocean;
-    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e70.wind) + vec2<f32>(0f, 0.003f));
+    ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
+    if (loop_ > 0i) {
+        local_18 = (1i << u32(i32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
+    } else {
+        local_18 = 0i;
+    }
+    let _e48 = local_18;
+    ocean.loop_ = _e48;
+    let _e49 = gravity;
+    let _e50 = ocean;
+    let _e53 = ocean;
+    let _e55 = ocean;
+    reach_1 = ((_e49 * _e50.fetch) / (_e53.wind * _e55.wind));
+    let _e61 = gravity;
+    let _e63 = ocean;
+    let _e66 = reach_1;
+    peak_1 = (((3.5f * _e61) / _e63.wind) * pow(_e66, -0.33f));
+    let _e73 = reach_1;
+    let _e78 = gravity;
+    let _e80 = gravity;
+    scale_1 = ((((0.076f * pow(_e73, -0.22f)) * _e78) * _e80) / 1558.5455f);
+    let _e88 = peak_1;
+    let _e90 = tick;
+    power_1 = i32(floor(log2(((0.62f * _e88) / _e90))));
+    let _e100 = ocean;
+    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e100.wind) + vec2<f32>(0f, 0.003f));
     loop {
-        let _e79 = i;
-        if !((_e79 < 9i)) {
+        let _e109 = i;
+        if !((_e109 <= 9i)) {
             break;
         }
         {
-            let _e86 = i;
-            if ((_e86 & 1i) == 0i) {
-                local_18 = 128i;
+            let _e116 = i;
+            if ((_e116 & 1i) == 0i) {
+                local_19 = 128i;
             } else {
-                local_18 = 181i;
+                local_19 = 181i;
             }
-            let _e94 = local_18;
-            let _e95 = power_1;
-            let _e96 = i;
-            low = (f32((_e94 << u32((_e95 + (_e96 / 2i))))) / 128f);
-            let _e107 = low;
-            width = (0.10351562f * _e107);
+            let _e124 = local_19;
+            let _e125 = power_1;
+            let _e126 = i;
+            low = (f32((_e124 << u32((_e125 + (_e126 / 2i))))) / 128f);
+            let _e136 = i;
+            remote = (_e136 == 9i);
+            let _e140 = remote;
+            if _e140 {
+                {
+                    let _e142 = ocean;
+                    peak_1 = (1f / _e142.swell.y);
+                    let _e148 = peak_1;
+                    let _e150 = tick;
+                    low = (64f * floor((((0.0132813f * _e148) / _e150) + 0.5f)));
+                    sharp_1 = 2.0794415f;
+                    let _e157 = ocean;
+                    direction_1 = _e157.swell.z;
+                }
+            }
+            let _e161 = low;
+            width = (0.10351562f * _e161);
             variance = 0f;
             sum_5 = vec2(0f);
-            let _e115 = tick;
-            let _e116 = low;
-            let _e118 = peak_1;
-            let _e119 = scale_1;
-            let _e120 = gabor_impl_spectrum((_e115 * _e116), _e118, _e119);
-            first_1 = _e120;
+            let _e169 = tick;
+            let _e170 = low;
+            let _e172 = peak_1;
+            let _e173 = scale_1;
+            let _e174 = sharp_1;
+            let _e175 = gabor_impl_spectrum((_e169 * _e170), _e172, _e173, _e174);
+            first_1 = _e175;
             sums_2 = vec4(0f);
             starts_1 = vec4(0f);
             ends_1 = vec4(0f);
             fit = vec4(0f);
             j_1 = 0i;
             loop {
-                let _e136 = j_1;
-                if !((_e136 < 4i)) {
+                let _e191 = j_1;
+                if !((_e191 < 4i)) {
                     break;
                 }
                 {
-                    let _e143 = tick;
-                    let _e144 = low;
-                    let _e145 = j_1;
-                    let _e147 = width;
-                    f_1 = (_e143 * (_e144 + (f32(_e145) * _e147)));
-                    let _e152 = tick;
-                    let _e153 = width;
-                    step_ = (_e152 * _e153);
-                    let _e157 = j_1;
-                    x_5 = ((106f * f32(_e157)) - 159f);
-                    let _e163 = f_1;
-                    let _e165 = step_;
-                    let _e168 = peak_1;
-                    let _e169 = scale_1;
-                    let _e170 = gabor_impl_spectrum((_e163 + (0.5f * _e165)), _e168, _e169);
-                    middle = _e170;
-                    let _e172 = f_1;
-                    let _e173 = step_;
-                    let _e175 = peak_1;
-                    let _e176 = scale_1;
-                    let _e177 = gabor_impl_spectrum((_e172 + _e173), _e175, _e176);
-                    last = _e177;
-                    let _e179 = step_;
-                    let _e182 = first_1;
-                    let _e184 = middle;
-                    let _e187 = last;
-                    part = ((_e179 / 6f) * ((_e182 + (4f * _e184)) + _e187));
-                    let _e191 = sum_5;
-                    let _e192 = part;
-                    sum_5 = (_e191 + _e192);
-                    let _e194 = f_1;
-                    let _e196 = step_;
-                    let _e199 = peak_1;
-                    above = ((_e194 + (0.5f * _e196)) / _e199);
-                    let _e204 = above;
-                    let _e205 = above;
-                    if (_e205 < 1f) {
-                        local_19 = 4.06f;
+                    let _e198 = tick;
+                    let _e199 = low;
+                    let _e200 = j_1;
+                    let _e202 = width;
+                    f_1 = (_e198 * (_e199 + (f32(_e200) * _e202)));
+                    let _e207 = tick;
+                    let _e208 = width;
+                    step_ = (_e207 * _e208);
+                    let _e212 = j_1;
+                    x_5 = ((106f * f32(_e212)) - 159f);
+                    let _e218 = f_1;
+                    let _e220 = step_;
+                    let _e223 = peak_1;
+                    let _e224 = scale_1;
+                    let _e225 = sharp_1;
+                    let _e226 = gabor_impl_spectrum((_e218 + (0.5f * _e220)), _e223, _e224, _e225);
+                    middle = _e226;
+                    let _e228 = f_1;
+                    let _e229 = step_;
+                    let _e231 = peak_1;
+                    let _e232 = scale_1;
+                    let _e233 = sharp_1;
+                    let _e234 = gabor_impl_spectrum((_e228 + _e229), _e231, _e232, _e233);
+                    last = _e234;
+                    let _e236 = step_;
+                    let _e239 = first_1;
+                    let _e241 = middle;
+                    let _e244 = last;
+                    part = ((_e236 / 6f) * ((_e239 + (4f * _e241)) + _e244));
+                    let _e248 = sum_5;
+                    let _e249 = part;
+                    sum_5 = (_e248 + _e249);
+                    let _e251 = f_1;
+                    let _e253 = step_;
+                    let _e256 = peak_1;
+                    above = ((_e251 + (0.5f * _e253)) / _e256);
+                    let _e259 = remote;
+                    if _e259 {
+                        local_21 = 75f;
                     } else {
-                        local_19 = -2.34f;
+                        let _e262 = above;
+                        let _e263 = above;
+                        if (_e263 < 1f) {
+                            local_20 = 4.06f;
+                        } else {
+                            local_20 = -2.34f;
+                        }
+                        let _e270 = local_20;
+                        local_21 = (9.77f * pow(_e262, _e270));
                     }
-                    let _e212 = local_19;
-                    here = (0.5f / ((9.77f * pow(_e204, _e212)) + 1f));
-                    let _e219 = variance;
-                    let _e220 = part;
-                    let _e222 = here;
-                    variance = (_e219 + (_e220.x * _e222));
-                    let _e225 = fit;
-                    let _e226 = part;
-                    let _e228 = x_5;
-                    let _e229 = here;
-                    let _e231 = x_5;
-                    let _e232 = x_5;
-                    let _e234 = x_5;
-                    let _e235 = here;
-                    fit = (_e225 + (_e226.x * vec4<f32>(_e228, sqrt(_e229), (_e231 * _e232), (_e234 * sqrt(_e235)))));
-                    let _e241 = sums_2;
-                    let _e242 = _e241.yzw;
-                    let _e243 = sum_5;
-                    sums_2 = vec4<f32>(_e242.x, _e242.y, _e242.z, _e243.x);
-                    let _e249 = starts_1;
-                    let _e250 = _e249.yzw;
-                    let _e251 = first_1;
-                    starts_1 = vec4<f32>(_e250.x, _e250.y, _e250.z, _e251.x);
-                    let _e257 = ends_1;
-                    let _e258 = _e257.yzw;
-                    let _e259 = last;
-                    ends_1 = vec4<f32>(_e258.x, _e258.y, _e258.z, _e259.x);
-                    let _e265 = last;
-                    first_1 = _e265;
+                    let _e274 = local_21;
+                    s_2 = _e274;
+                    let _e277 = s_2;
+                    here = (0.5f / (_e277 + 1f));
+                    let _e282 = variance;
+                    let _e283 = part;
+                    let _e285 = here;
+                    variance = (_e282 + (_e283.x * _e285));
+                    let _e288 = fit;
+                    let _e289 = part;
+                    let _e291 = x_5;
+                    let _e292 = here;
+                    let _e294 = x_5;
+                    let _e295 = x_5;
+                    let _e297 = x_5;
+                    let _e298 = here;
+                    fit = (_e288 + (_e289.x * vec4<f32>(_e291, sqrt(_e292), (_e294 * _e295), (_e297 * sqrt(_e298)))));
+                    let _e304 = sums_2;
+                    let _e305 = _e304.yzw;
+                    let _e306 = sum_5;
+                    sums_2 = vec4<f32>(_e305.x, _e305.y, _e305.z, _e306.x);
+                    let _e312 = starts_1;
+                    let _e313 = _e312.yzw;
+                    let _e314 = first_1;
+                    starts_1 = vec4<f32>(_e313.x, _e313.y, _e313.z, _e314.x);
+                    let _e320 = ends_1;
+                    let _e321 = _e320.yzw;
+                    let _e322 = last;
+                    ends_1 = vec4<f32>(_e321.x, _e321.y, _e321.z, _e322.x);
+                    let _e328 = last;
+                    first_1 = _e328;
                 }
                 continuing {
-                    let _e140 = j_1;
-                    j_1 = (_e140 + 1i);
+                    let _e195 = j_1;
+                    j_1 = (_e195 + 1i);
                 }
             }
-            let _e266 = variance;
-            let _e267 = sum_5;
-            variance = (_e266 / _e267.x);
-            let _e270 = fit;
-            let _e271 = sum_5;
-            fit = (_e270 / vec4(_e271.x));
-            let _e275 = variance;
-            deviation = sqrt(_e275);
-            let _e279 = variance;
-            narrow = ((0.5f / _e279) - 1.8f);
-            let _e285 = deviation;
-            let _e287 = narrow;
-            c_1 = ((0.9f * _e285) * clamp(_e287, 0f, 1f));
-            let _e294 = narrow;
-            let _e299 = fit;
-            let _e301 = fit;
-            let _e303 = fit;
-            let _e308 = fit;
-            let _e310 = fit;
-            let _e312 = fit;
-            let _e316 = deviation;
-            widen = ((clamp((0.3f * _e294), 0f, 1f) * (_e299.w - (_e301.x * _e303.y))) / ((_e308.z - (_e310.x * _e312.x)) * _e316));
-            let _e322 = widen;
-            widen = (0.000061035156f * floor(clamp((16384f * _e322), -32f, 32f)));
-            let _e333 = widen;
-            let _e337 = fit;
-            let _e339 = widen;
-            most = (1f / ((1f + (212f * abs(_e333))) - (_e337.x * _e339)));
-            let _e345 = deviation;
-            let _e347 = most;
-            let _e348 = c_1;
-            end = min((1.8f * _e345), (_e347 - _e348));
-            let _e352 = variance;
-            let _e353 = c_1;
-            let _e354 = c_1;
-            rest_1 = (_e352 - ((_e353 * _e354) / 3f));
-            let _e361 = rest_1;
-            let _e364 = end;
-            let _e366 = end;
-            let _e373 = end;
-            a_2 = ((sqrt(max(((0.3047619f * _e361) - ((0.0304762f * _e364) * _e366)), 0f)) - (0.1142857f * _e373)) / 0.152381f);
-            let _e379 = end;
-            let _e380 = a_2;
-            b_2 = (_e379 - _e380);
-            let _e383 = a_2;
-            let _e384 = a_2;
-            let _e386 = a_2;
-            let _e389 = a_2;
-            let _e392 = b_2;
-            let _e396 = b_2;
-            let _e397 = b_2;
-            let _e400 = a_2;
-            let _e402 = a_2;
-            let _e405 = a_2;
-            let _e407 = b_2;
-            let _e411 = b_2;
-            let _e413 = b_2;
+            let _e329 = variance;
+            let _e330 = sum_5;
+            variance = (_e329 / _e330.x);
+            let _e333 = fit;
+            let _e334 = sum_5;
+            fit = (_e333 / vec4(_e334.x));
+            let _e338 = variance;
+            deviation = sqrt(_e338);
+            let _e342 = variance;
+            narrow = ((0.5f / _e342) - 1.8f);
+            let _e348 = deviation;
+            let _e350 = narrow;
+            c_1 = ((0.9f * _e348) * clamp(_e350, 0f, 1f));
+            let _e357 = narrow;
+            let _e362 = fit;
+            let _e364 = fit;
+            let _e366 = fit;
+            let _e371 = fit;
+            let _e373 = fit;
+            let _e375 = fit;
+            let _e379 = deviation;
+            widen = ((clamp((0.3f * _e357), 0f, 1f) * (_e362.w - (_e364.x * _e366.y))) / ((_e371.z - (_e373.x * _e375.x)) * _e379));
+            let _e385 = widen;
+            widen = (0.000061035156f * floor((clamp((16384f * _e385), -32f, 32f) + 0.5f)));
+            let _e398 = widen;
+            let _e402 = fit;
+            let _e404 = widen;
+            most = (1f / ((1f + (212f * abs(_e398))) - (_e402.x * _e404)));
+            let _e410 = deviation;
+            let _e412 = most;
+            let _e413 = c_1;
+            end = min((1.8f * _e410), (_e412 - _e413));
+            let _e417 = variance;
             let _e418 = c_1;
             let _e419 = c_1;
-            let _e422 = rest_1;
-            let _e425 = c_1;
-            let _e427 = c_1;
-            fourth_1 = (((((_e383 * _e384) * _e386) * ((0.2f * _e389) + (0.5714286f * _e392))) + ((_e396 * _e397) * ((((0.6666667f * _e400) * _e402) + ((0.36363637f * _e405) * _e407)) + ((0.07692308f * _e411) * _e413)))) + ((_e418 * _e419) * ((2f * _e422) + ((0.2f * _e425) * _e427))));
-            let _e435 = variance;
-            let _e439 = fourth_1;
-            along = ((1f - (4f * _e435)) + (4f * _e439));
-            let _e443 = gravity;
-            let _e445 = tick;
-            let _e447 = low;
-            speed = (_e443 / (((12.566371f * _e445) * _e447) * 1.1892071f));
-            let _e454 = sums_2;
-            let _e455 = starts_1;
-            let _e456 = ends_1;
-            let _e457 = gabor_impl_quantile(0.2443f, _e454, _e455, _e456);
-            let _e459 = sums_2;
-            let _e460 = starts_1;
-            let _e461 = ends_1;
-            let _e462 = gabor_impl_quantile(0.4885f, _e459, _e460, _e461);
-            let _e464 = sums_2;
-            let _e465 = starts_1;
-            let _e466 = ends_1;
-            let _e467 = gabor_impl_quantile(0.7328f, _e464, _e465, _e466);
-            quartile = floor((vec3<f32>(_e457, _e462, _e467) + vec3(0.5f)));
-            let _e475 = low;
-            if (_e475 > 262144f) {
-                local_20 = 0f;
+            rest_1 = (_e417 - ((_e418 * _e419) / 3f));
+            let _e426 = rest_1;
+            let _e429 = end;
+            let _e431 = end;
+            let _e438 = end;
+            a_2 = ((sqrt(max(((0.3047619f * _e426) - ((0.0304762f * _e429) * _e431)), 0f)) - (0.1142857f * _e438)) / 0.152381f);
+            let _e444 = end;
+            let _e445 = a_2;
+            b_2 = (_e444 - _e445);
+            let _e448 = a_2;
+            let _e449 = a_2;
+            let _e451 = a_2;
+            let _e454 = a_2;
+            let _e457 = b_2;
+            let _e461 = b_2;
+            let _e462 = b_2;
+            let _e465 = a_2;
+            let _e467 = a_2;
+            let _e470 = a_2;
+            let _e472 = b_2;
+            let _e476 = b_2;
+            let _e478 = b_2;
+            let _e483 = c_1;
+            let _e484 = c_1;
+            let _e487 = rest_1;
+            let _e490 = c_1;
+            let _e492 = c_1;
+            fourth_1 = (((((_e448 * _e449) * _e451) * ((0.2f * _e454) + (0.5714286f * _e457))) + ((_e461 * _e462) * ((((0.6666667f * _e465) * _e467) + ((0.36363637f * _e470) * _e472)) + ((0.07692308f * _e476) * _e478)))) + ((_e483 * _e484) * ((2f * _e487) + ((0.2f * _e490) * _e492))));
+            let _e500 = variance;
+            let _e504 = fourth_1;
+            along = ((1f - (4f * _e500)) + (4f * _e504));
+            let _e508 = gravity;
+            let _e510 = tick;
+            let _e512 = low;
+            speed = (_e508 / (((12.566371f * _e510) * _e512) * 1.1892071f));
+            let _e519 = sums_2;
+            let _e520 = starts_1;
+            let _e521 = ends_1;
+            let _e522 = gabor_impl_quantile(0.2443f, _e519, _e520, _e521);
+            let _e524 = sums_2;
+            let _e525 = starts_1;
+            let _e526 = ends_1;
+            let _e527 = gabor_impl_quantile(0.4885f, _e524, _e525, _e526);
+            let _e529 = sums_2;
+            let _e530 = starts_1;
+            let _e531 = ends_1;
+            let _e532 = gabor_impl_quantile(0.7328f, _e529, _e530, _e531);
+            quartile = floor((vec3<f32>(_e522, _e527, _e532) + vec3(0.5f)));
+            let _e540 = remote;
+            if _e540 {
+                let _e542 = ocean;
+                let _e546 = ocean;
+                local_23 = ((0.0625f * _e542.swell.x) * _e546.swell.x);
             } else {
-                local_20 = 1f;
+                let _e550 = low;
+                if (_e550 > 262144f) {
+                    local_22 = 0f;
+                } else {
+                    let _e554 = sum_5;
+                    local_22 = _e554.x;
+                }
+                let _e557 = local_22;
+                local_23 = _e557;
             }
-            let _e481 = local_20;
-            shown = _e481;
-            let _e484 = shown;
-            let _e485 = sum_5;
-            band.amplitude = (_e484 * sqrt(_e485.x));
-            let _e490 = shown;
-            let _e491 = sum_5;
-            let _e496 = along;
-            let _e498 = along;
-            band.slopes = (((_e490 * _e491.y) * 16.195057f) * vec2<f32>(_e496, (1f - _e498)));
-            let _e503 = ocean;
-            let _e505 = band;
-            ocean.tail = (_e503.tail - _e505.slopes);
-            let _e511 = power_1;
-            let _e514 = i;
-            let _e516 = i;
-            let _e519 = i;
-            if ((_e516 > 0i) && (_e519 < 4i)) {
-                local_21 = 0i;
+            let _e559 = local_23;
+            tall = _e559;
+            let _e562 = tall;
+            band_1.amplitude = sqrt(_e562);
+            let _e566 = tall;
+            let _e568 = sum_5;
+            let _e571 = sum_5;
+            let _e574 = along;
+            let _e576 = along;
+            band_1.slopes = ((((16.195057f * _e566) * _e568.y) / _e571.x) * vec2<f32>(_e574, (1f - _e576)));
+            let _e580 = remote;
+            if !(_e580) {
+                let _e583 = ocean;
+                let _e585 = band_1;
+                ocean.tail = (_e583.tail - _e585.slopes);
+            }
+            let _e589 = remote;
+            if _e589 {
+                let _e591 = peak_1;
+                let _e592 = peak_1;
+                local_25 = i32(floor(log2((9f / (_e591 * _e592)))));
             } else {
-                local_21 = 1i;
+                let _e600 = power_1;
+                let _e603 = i;
+                let _e605 = i;
+                let _e606 = gabor_impl_three(_e605);
+                if _e606 {
+                    local_24 = 0i;
+                } else {
+                    local_24 = 1i;
+                }
+                let _e610 = local_24;
+                local_25 = (((34i - (2i * _e600)) - _e603) - _e610);
             }
-            let _e526 = local_21;
-            band.exponent = (((34i - (2i * _e511)) - _e514) - _e526);
-            let _e529 = low;
-            band.low = _e529;
-            let _e531 = quartile;
-            let _e538 = quartile;
-            band.quarter = (vec4<f32>(_e531.x, _e531.y, _e531.z, 424f) - vec4<f32>(0f, _e538.x, _e538.y, _e538.z));
-            let _e546 = a_2;
-            let _e547 = b_2;
-            let _e548 = c_1;
-            band.spread = floor((4092f * vec3<f32>(_e546, _e547, _e548)));
-            let _e555 = fit;
-            let _e557 = widen;
-            let _e560 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - (_e555.x * _e557)), _e560)));
-            let _e566 = speed;
-            let _e568 = band;
-            let _e574 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e566) * exp2(-(f32(_e568.exponent)))) * _e574) + vec2(0.5f))));
-            let _e581 = i;
-            let _e584 = band;
-            ocean.band[_e581] = _e584;
+            let _e613 = local_25;
+            band_1.exponent = _e613;
+            let _e615 = low;
+            band_1.low = _e615;
+            let _e617 = quartile;
+            let _e624 = quartile;
+            band_1.quarter = (vec4<f32>(_e617.x, _e617.y, _e617.z, 424f) - vec4<f32>(0f, _e624.x, _e624.y, _e624.z));
+            let _e632 = a_2;
+            let _e633 = b_2;
+            let _e634 = c_1;
+            band_1.spread = floor((4092f * vec3<f32>(_e632, _e633, _e634)));
+            let _e641 = fit;
+            let _e643 = widen;
+            let _e646 = widen;
+            band_1.widen = floor((16384f * vec2<f32>((1f - (_e641.x * _e643)), _e646)));
+            let _e650 = speed;
+            let _e651 = ocean;
+            if (_e651.loop_ > 0i) {
+                local_26 = 0f;
+            } else {
+                let _e657 = band_1;
+                local_26 = (32768f * exp2(-(f32(_e657.exponent))));
+            }
+            let _e664 = local_26;
+            speed = (_e650 * _e664);
+            let _e667 = speed;
+            let _e669 = direction_1;
+            let _e671 = gabor_impl_wave((0.15915494f * _e669));
+            band_1.drift = vec2<i32>(floor(((_e667 * _e671) + vec2(0.5f))));
+            let _e678 = i;
+            let _e681 = band_1;
+            ocean.band[_e678] = _e681;
         }
         continuing {
-            let _e83 = i;
-            i = (_e83 + 1i);
+            let _e113 = i;
+            i = (_e113 + 1i);
         }
     }
-    let _e586 = ocean;
-    ocean.tail = max(_e586.tail, vec2(0f));
-    let _e591 = ocean;
-    return _e591;
+    let _e683 = ocean;
+    ocean.tail = max(_e683.tail, vec2(0f));
+    let _e688 = ocean;
+    return _e688;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
-    let _e3 = gabor_ocean_of(wind, 0f, 200000f);
-    return _e3;
+    let _e6 = gabor_ocean_of(wind, 0f, 200000f, vec3(0f), 0i);
+    return _e6;
 }
 
 // The whole part of x >= 0. For it, C++ compilers have no fast floor.
@@ -528,16 +614,15 @@ fn gabor_impl_whole(x: f32) -> f32 {
     return floor(x);
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). Vectors but the
-// derivatives are along the wind and across it. `wave` is the wave number of rise 1, in turns per metre. The first parts of
-// `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the last is its deviation, times k / wave. `tilt` collects the
-// slopes of the windows, `squeeze` the derivatives of the shift. It and `lost` have the parts xx, xy and xx + yy.
-fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2<f32>>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
+// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
+// rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
+// last is its deviation, times k / wave. `quantum` is 65536 / loop, or 0. `squeeze` collects the derivatives of the shift. It and
+// `lost` have the parts xx, xy and xx + yy.
+fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, heading: vec2<f32>, quantum: f32, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
     var bits: u32;
     var share_2: f32;
     var below_1: vec4<f32>;
     var rise: f32;
-    var square: f32;
     var u_1: f32;
     var v: f32;
     var bent: f32;
@@ -550,7 +635,7 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     var turning: f32;
     var k: f32;
     var around: f32;
-    var local_22: f32;
+    var local_27: f32;
     var chord: f32;
     var unit: vec2<f32>;
     var turns: f32;
@@ -560,150 +645,152 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, tilt: ptr<function, vec2
     var steps: vec2<f32>;
     var kept: f32;
     var along_1: vec2<f32>;
-    var squeezing: f32;
+    var squares_1: vec3<f32>;
     var power_2: f32;
-    var lost: f32;
     bits = ((word ^ (word >> 15u)) * 3545902487u);
-    let _e19 = bits;
     let _e20 = bits;
-    bits = (_e19 ^ (_e20 >> 15u));
-    let _e25 = bits;
-    share_2 = (0.00390625f * f32((_e25 >> 22u)));
-    let _e32 = share_2;
-    below_1 = (band.quarter * clamp((vec4(_e32) - vec4<f32>(0f, 1f, 2f, 3f)), vec4(0f), vec4(1f)));
-    let _e48 = below_1;
-    let _e51 = below_1;
-    let _e54 = below_1;
-    let _e57 = below_1;
-    let _e60 = gabor_impl_whole(((((1024f + _e48.x) + _e51.y) + _e54.z) + _e57.w));
-    rise = _e60;
-    let _e62 = rise;
-    let _e63 = rise;
-    square = (_e62 * _e63);
-    let _e67 = bits;
-    u_1 = ((2f * f32(((_e67 >> 11u) & 2047u))) - 2047f);
-    let _e78 = bits;
-    v = ((2f * f32((_e78 & 2047u))) - 2047f);
-    let _e93 = u_1;
-    let _e95 = u_1;
-    let _e97 = gabor_impl_whole(((0.00048828125f * _e93) * _e95));
-    let _e100 = gabor_impl_whole((band.spread.x + ((0.00048828125f * band.spread.y) * _e97)));
-    bent = _e100;
-    let _e102 = u_1;
-    let _e103 = bent;
-    let _e105 = v;
-    side_1 = ((_e102 * _e103) + (_e105 * band.spread.z));
-    let _e112 = side_1;
-    let _e115 = gabor_impl_whole((0.00012207031f * abs(_e112)));
-    let _e120 = rise;
-    angle = (_e115 * (band.widen.x + (band.widen.y * (_e120 - 1236f))));
-    let _e128 = angle;
-    let _e130 = gabor_impl_whole((0.00012207031f * _e128));
-    part_1 = _e130;
-    let _e133 = part_1;
-    let _e135 = part_1;
-    let _e137 = gabor_impl_whole(((0.00048828125f * _e133) * _e135));
-    lag = _e137;
-    let _e140 = square;
-    let _e142 = gabor_impl_whole((0.0009765625f * _e140));
-    steep = _e142;
-    let _e144 = steep;
-    let _e146 = steep;
-    let _e148 = lag;
-    let _e150 = gabor_impl_whole(((0.0009765625f * _e146) * _e148));
-    carried = (_e144 - _e150);
-    let _e155 = rise;
-    let _e158 = carried;
-    let _e162 = gabor_impl_whole((0.0078125f * ((2048f * _e155) - (861f * _e158))));
-    turning = _e162;
-    let _e164 = turning;
-    let _e169 = gabor_impl_whole((_e164 * (0.000061035156f * band.low)));
-    turning = _e169;
-    let _e170 = square;
-    k = (wave * _e170);
-    let _e174 = k;
-    around = (6.2831855f * _e174);
-    let _e177 = side_1;
-    if (_e177 < 0f) {
-        local_22 = -0.00000011920929f;
-    } else {
-        local_22 = 0.00000011920929f;
+    let _e21 = bits;
+    bits = (_e20 ^ (_e21 >> 15u));
+    let _e26 = bits;
+    share_2 = (0.00390625f * f32((_e26 >> 22u)));
+    let _e33 = share_2;
+    below_1 = (band.quarter * clamp((vec4(_e33) - vec4<f32>(0f, 1f, 2f, 3f)), vec4(0f), vec4(1f)));
+    let _e49 = below_1;
+    let _e52 = below_1;
+    let _e55 = below_1;
+    let _e58 = below_1;
+    let _e61 = gabor_impl_whole(((((1024f + _e49.x) + _e52.y) + _e55.z) + _e58.w));
+    rise = _e61;
+    let _e64 = bits;
+    u_1 = ((2f * f32(((_e64 >> 11u) & 2047u))) - 2047f);
+    let _e75 = bits;
+    v = ((2f * f32((_e75 & 2047u))) - 2047f);
+    let _e90 = u_1;
+    let _e92 = u_1;
+    let _e94 = gabor_impl_whole(((0.00048828125f * _e90) * _e92));
+    let _e97 = gabor_impl_whole((band.spread.x + ((0.00048828125f * band.spread.y) * _e94)));
+    bent = _e97;
+    let _e99 = u_1;
+    let _e100 = bent;
+    let _e102 = v;
+    side_1 = ((_e99 * _e100) + (_e102 * band.spread.z));
+    let _e109 = side_1;
+    let _e112 = gabor_impl_whole((0.00012207031f * abs(_e109)));
+    let _e117 = rise;
+    angle = (_e112 * (band.widen.x + (band.widen.y * (_e117 - 1236f))));
+    let _e125 = angle;
+    let _e127 = gabor_impl_whole((0.00012207031f * _e125));
+    part_1 = _e127;
+    let _e130 = part_1;
+    let _e132 = part_1;
+    let _e134 = gabor_impl_whole(((0.00048828125f * _e130) * _e132));
+    lag = _e134;
+    let _e137 = rise;
+    let _e139 = rise;
+    let _e141 = gabor_impl_whole(((0.0009765625f * _e137) * _e139));
+    steep = _e141;
+    let _e143 = steep;
+    let _e145 = steep;
+    let _e147 = lag;
+    let _e149 = gabor_impl_whole(((0.0009765625f * _e145) * _e147));
+    carried = (_e143 - _e149);
+    let _e154 = rise;
+    let _e157 = carried;
+    let _e161 = gabor_impl_whole((0.0078125f * ((2048f * _e154) - (861f * _e157))));
+    let _e166 = gabor_impl_whole((_e161 * (0.000061035156f * band.low)));
+    turning = _e166;
+    if (quantum > 0f) {
+        {
+            let _e170 = rise;
+            let _e178 = gabor_impl_whole(((_e170 * ((0.0009765625f * band.low) / quantum)) + 0.5f));
+            turning = (quantum * max(_e178, 1f));
+            let _e183 = turning;
+            rise = ((1024f * _e183) / band.low);
+        }
     }
-    let _e184 = local_22;
-    let _e185 = angle;
-    chord = (_e184 * _e185);
-    let _e190 = chord;
-    let _e192 = chord;
-    let _e195 = chord;
-    let _e198 = chord;
-    let _e200 = chord;
-    unit = vec2<f32>((1f - ((0.5f * _e190) * _e192)), (_e195 * sqrt((1f - ((0.25f * _e198) * _e200)))));
-    let _e207 = turning;
-    let _e218 = turning;
-    turns = (f32((((u32(_e207) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e218 * fraction));
+    let _e187 = rise;
+    let _e189 = rise;
+    k = ((wave * _e187) * _e189);
+    let _e193 = k;
+    around = (6.2831855f * _e193);
+    let _e196 = side_1;
+    if (_e196 < 0f) {
+        local_27 = -0.00000011920929f;
+    } else {
+        local_27 = 0.00000011920929f;
+    }
+    let _e203 = local_27;
+    let _e204 = angle;
+    chord = (_e203 * _e204);
+    let _e209 = chord;
+    let _e211 = chord;
+    let _e214 = chord;
+    let _e217 = chord;
+    let _e219 = chord;
+    let _e225 = gabor_impl_product(heading, vec2<f32>((1f - ((0.5f * _e209) * _e211)), (_e214 * sqrt((1f - ((0.25f * _e217) * _e219))))));
+    unit = _e225;
+    let _e227 = turning;
+    let _e238 = turning;
+    turns = (f32((((u32(_e227) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e238 * fraction));
     uniforms = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
-    let _e230 = uniforms;
-    let _e232 = uniforms;
-    let _e241 = uniforms;
-    let _e242 = uniforms;
-    amplitude_2 = ((_e230 - (shape.x * clamp(_e232, vec2(-2011925800f), vec2(2011925800f)))) * ((_e241 * _e242) + vec2(shape.y)));
-    let _e249 = amplitude_2;
-    let _e250 = k;
-    let _e251 = unit;
-    let _e255 = turns;
-    let _e258 = gabor_impl_wave(((_e250 * dot(_e251, from_)) - (0.000015258789f * _e255)));
-    let _e259 = gabor_impl_product(_e249, _e258);
-    z_1 = _e259;
-    let _e261 = around;
-    let _e262 = unit;
-    let _e264 = unit;
-    steps = (_e261 * vec2<f32>(dot(_e262, dx), dot(_e264, dy)));
-    let _e271 = steps;
-    let _e272 = steps;
-    kept = exp((-0.125f * dot(_e271, _e272)));
-    let _e277 = z_1;
-    let _e278 = kept;
-    z_1 = (_e277 * _e278);
-    let _e280 = (*tilt);
-    let _e281 = z_1;
-    (*tilt) = (_e280 + (_e281.y * window.yz));
-    let _e286 = z_1;
-    z_1 = (_e286 * window.x);
-    let _e289 = z_1;
-    let _e291 = unit;
-    along_1 = (_e289.x * _e291);
-    let _e294 = around;
-    let _e295 = z_1;
-    squeezing = (_e294 * _e295.y);
-    let _e302 = around;
-    power_2 = ((shape.z * window.x) * _e302);
-    let _e305 = power_2;
-    let _e306 = power_2;
-    let _e309 = kept;
-    let _e310 = kept;
-    lost = ((_e305 * _e306) * (1f - (_e309 * _e310)));
-    let _e316 = (*sum);
-    let _e318 = z_1;
-    (*sum).height = (_e316.height + _e318.y);
-    let _e322 = (*sum);
-    let _e324 = around;
-    let _e325 = along_1;
-    (*sum).slope = (_e322.slope + (_e324 * _e325));
-    let _e329 = (*sum);
-    let _e331 = along_1;
-    (*sum).shift = (_e329.shift + _e331);
-    let _e333 = (*squeeze);
-    let _e334 = squeezing;
-    let _e335 = unit;
-    let _e337 = unit;
-    let _e338 = (_e335.x * _e337);
-    (*squeeze) = (_e333 + (_e334 * vec3<f32>(_e338.x, _e338.y, 1f)));
-    let _e346 = (*sum);
-    let _e348 = lost;
-    let _e349 = unit;
-    let _e351 = unit;
-    let _e352 = (_e349.x * _e351);
-    (*sum).lost = (_e346.lost + (_e348 * vec3<f32>(_e352.x, _e352.y, 1f)));
+    let _e250 = uniforms;
+    let _e252 = uniforms;
+    let _e261 = uniforms;
+    let _e262 = uniforms;
+    amplitude_2 = ((_e250 - (shape.x * clamp(_e252, vec2(-2011925800f), vec2(2011925800f)))) * ((_e261 * _e262) + vec2(shape.y)));
+    let _e269 = amplitude_2;
+    let _e270 = k;
+    let _e271 = unit;
+    let _e275 = turns;
+    let _e278 = gabor_impl_wave(((_e270 * dot(_e271, from_)) - (0.000015258789f * _e275)));
+    let _e279 = gabor_impl_product(_e269, _e278);
+    z_1 = _e279;
+    let _e281 = around;
+    let _e282 = unit;
+    let _e284 = unit;
+    steps = (_e281 * vec2<f32>(dot(_e282, dx), dot(_e284, dy)));
+    let _e291 = steps;
+    let _e292 = steps;
+    kept = exp((-0.125f * dot(_e291, _e292)));
+    let _e297 = z_1;
+    let _e298 = kept;
+    z_1 = (_e297 * _e298);
+    let _e301 = (*sum);
+    let _e303 = z_1;
+    (*sum).slope = (_e301.slope + (_e303.y * window.yz));
+    let _e308 = z_1;
+    z_1 = (_e308 * window.x);
+    let _e311 = z_1;
+    let _e313 = unit;
+    along_1 = (_e311.x * _e313);
+    let _e316 = unit;
+    let _e318 = unit;
+    let _e319 = (_e316.x * _e318);
+    squares_1 = vec3<f32>(_e319.x, _e319.y, 1f);
+    let _e328 = around;
+    power_2 = ((shape.z * window.x) * _e328);
+    let _e332 = (*sum);
+    let _e334 = z_1;
+    (*sum).height = (_e332.height + _e334.y);
+    let _e338 = (*sum);
+    let _e340 = around;
+    let _e341 = along_1;
+    (*sum).slope = (_e338.slope + (_e340 * _e341));
+    let _e345 = (*sum);
+    let _e347 = along_1;
+    (*sum).shift = (_e345.shift + _e347);
+    let _e349 = (*squeeze);
+    let _e350 = around;
+    let _e351 = z_1;
+    let _e354 = squares_1;
+    (*squeeze) = (_e349 + ((_e350 * _e351.y) * _e354));
+    let _e358 = (*sum);
+    let _e360 = power_2;
+    let _e361 = power_2;
+    let _e364 = kept;
+    let _e365 = kept;
+    let _e369 = squares_1;
+    (*sum).lost = (_e358.lost + (((_e360 * _e361) * (1f - (_e364 * _e365))) * _e369));
     return;
 }
 
@@ -734,7 +821,7 @@ fn gabor_impl_float_by(cell: i32, local: f32, exponent: i32, drift: i32, second:
 
 // The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
 fn gabor_impl_water_windows(three: bool, x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    var s_2: f32;
+    var s_3: f32;
     var scale_2: f32;
     if three {
         {
@@ -745,44 +832,45 @@ fn gabor_impl_water_windows(three: bool, x: f32, value: ptr<function, vec4<f32>>
         }
     } else {
         {
-            s_2 = ((x * x) * (3f - (2f * x)));
-            let _e26 = s_2;
-            let _e29 = s_2;
+            s_3 = ((x * x) * (3f - (2f * x)));
+            let _e26 = s_3;
+            let _e29 = s_3;
             scale_2 = inverseSqrt((1f - ((2f * _e26) * (1f - _e29))));
             let _e35 = scale_2;
-            let _e37 = s_2;
-            let _e39 = s_2;
+            let _e37 = s_3;
+            let _e39 = s_3;
             (*value) = (_e35 * vec4<f32>((1f - _e37), _e39, 0f, 0f));
             let _e49 = scale_2;
             let _e51 = scale_2;
             let _e53 = scale_2;
-            let _e55 = s_2;
-            let _e58 = s_2;
+            let _e55 = s_3;
+            let _e58 = s_3;
             (*slope) = ((((((6f * x) * (1f - x)) * _e49) * _e51) * _e53) * vec4<f32>(-(_e55), (1f - _e58), 0f, 0f));
             return;
         }
     }
 }
 
-// The parts of v along a unit vector and across it.
-fn gabor_impl_into(v: vec2<f32>, by: vec2<f32>) -> vec2<f32> {
-    return vec2<f32>(((v.x * by.x) + (v.y * by.y)), ((v.y * by.x) - (v.x * by.y)));
+// The parts xx, xy and xx + yy of a covariance with these variances along a unit vector and across it.
+fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> {
+    let _e11 = ((((variances.x - variances.y) * along.x) * along) + vec2<f32>(variances.y, 0f));
+    return vec3<f32>(_e11.x, _e11.y, (variances.x + variances.y));
 }
 
 fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var dx_2: vec2<f32>;
-    var dy_2: vec2<f32>;
-    var heading_1: vec2<f32>;
-    var back_1: vec2<f32>;
-    var water: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
-    var tilt_1: vec2<f32> = vec2(0f);
-    var hidden: vec2<f32>;
+    var wind_2: vec2<f32>;
+    var swell_1: vec2<f32>;
+    var water: GaborWater;
     var squeeze_1: vec3<f32> = vec3(0f);
+    var local_30: f32;
+    var quantum_1: f32;
     var area: f32;
     var sides: f32;
     var least: f32;
     var i_1: i32 = 0i;
-    var band_2: GaborOceanBand;
+    var band_3: GaborOceanBand;
+    var local_31: vec2<f32>;
+    var heading_1: vec2<f32>;
     var longest: f32;
     var three_1: bool;
     var salt_4: u32;
@@ -791,11 +879,11 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var rest_x: f32;
     var rest_y: f32;
     var rest_3: vec2<f32>;
-    var local_25: f32;
+    var local_32: f32;
     var inset: f32;
     var spacing: f32;
-    var local_26: f32;
-    var local_27: f32;
+    var local_33: f32;
+    var local_34: f32;
     var energy: f32;
     var first_2: vec2<f32>;
     var offset: vec2<f32>;
@@ -804,352 +892,319 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var local_28: f32;
+    var local_35: f32;
     var deviation_1: f32;
-    var local_29: vec3<f32>;
+    var local_36: vec3<f32>;
     var shape_1: vec3<f32>;
     var f_2: f32;
-    var local_30: f32;
+    var local_37: f32;
     var wave_6: f32;
     var left: u32;
     var middle_1: u32;
     var right: u32;
-    var across: vec2<f32>;
     var from_1: vec2<f32>;
-    var down_1: vec2<f32>;
     var j_2: i32;
-    var local_31: i32;
+    var local_38: i32;
     var row_1: u32;
-    var local_32: vec2<f32>;
-    var local_33: vec2<f32>;
+    var local_39: vec2<f32>;
+    var local_40: vec2<f32>;
     var w: vec2<f32>;
-    var mean: f32;
-    var parts: vec2<f32>;
-    dx_2 = dx;
-    dy_2 = dy;
-    let _e13 = gabor_impl_wave((0.15915494f * ocean.direction));
-    heading_1 = _e13;
-    let _e15 = heading_1;
-    let _e17 = heading_1;
-    back_1 = vec2<f32>(_e15.x, -(_e17.y));
-    hidden = ocean.tail;
-    let _e40 = dx_2;
-    let _e42 = dy_2;
-    let _e45 = dx_2;
-    let _e47 = dy_2;
-    area = ((_e40.x * _e42.y) - (_e45.y * _e47.x));
-    let _e52 = dx_2;
-    let _e53 = dx_2;
-    let _e55 = dy_2;
-    let _e56 = dy_2;
-    sides = (dot(_e52, _e53) + dot(_e55, _e56));
-    let _e61 = area;
-    let _e63 = area;
-    let _e65 = sides;
-    let _e66 = sides;
-    let _e67 = sides;
-    let _e70 = area;
-    let _e72 = area;
-    least = (((2f * _e61) * _e63) / max((_e65 + sqrt(max(((_e66 * _e67) - ((4f * _e70) * _e72)), 0f))), 0.000000000000000000000000000001f));
-    let _e83 = dx_2;
-    let _e84 = heading_1;
-    let _e85 = gabor_impl_into(_e83, _e84);
-    dx_2 = _e85;
-    let _e86 = dy_2;
-    let _e87 = heading_1;
-    let _e88 = gabor_impl_into(_e86, _e87);
-    dy_2 = _e88;
+    let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
+    wind_2 = _e11;
+    let _e17 = gabor_impl_wave((0.15915494f * ocean.swell.z));
+    swell_1 = _e17;
+    let _e26 = wind_2;
+    let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
+    water = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
+    if (ocean.loop_ > 0i) {
+        local_30 = (65536f / f32(ocean.loop_));
+    } else {
+        local_30 = 0f;
+    }
+    let _e42 = local_30;
+    quantum_1 = _e42;
+    area = ((dx.x * dy.y) - (dx.y * dy.x));
+    sides = (dot(dx, dx) + dot(dy, dy));
+    let _e57 = area;
+    let _e59 = area;
+    let _e61 = sides;
+    let _e62 = sides;
+    let _e63 = sides;
+    let _e66 = area;
+    let _e68 = area;
+    least = (((2f * _e57) * _e59) / max((_e61 + sqrt(max(((_e62 * _e63) - ((4f * _e66) * _e68)), 0f))), 0.000000000000000000000000000001f));
     loop {
-        let _e91 = i_1;
-        if !((_e91 < 9i)) {
+        let _e81 = i_1;
+        if !((_e81 <= 9i)) {
             break;
         }
         {
-            let _e98 = i_1;
-            band_2 = ocean.band[_e98];
-            let _e103 = band_2;
-            let _e106 = band_2;
-            longest = ((0.0000000001486f * _e103.low) * _e106.low);
-            let _e110 = band_2;
-            let _e114 = longest;
-            let _e115 = longest;
-            let _e117 = least;
-            if ((_e110.amplitude == 0f) || (((_e114 * _e115) * _e117) > 1.6f)) {
+            let _e88 = i_1;
+            band_3 = ocean.band[_e88];
+            let _e92 = i_1;
+            if (_e92 < 9i) {
+                let _e95 = wind_2;
+                local_31 = _e95;
+            } else {
+                let _e96 = swell_1;
+                local_31 = _e96;
+            }
+            let _e98 = local_31;
+            heading_1 = _e98;
+            let _e101 = band_3;
+            let _e104 = band_3;
+            longest = ((0.0000000001486f * _e101.low) * _e104.low);
+            let _e108 = band_3;
+            let _e112 = longest;
+            let _e113 = longest;
+            let _e115 = least;
+            if ((_e108.amplitude == 0f) || (((_e112 * _e113) * _e115) > 1.6f)) {
                 {
-                    let _e122 = hidden;
-                    let _e123 = band_2;
-                    hidden = (_e122 + _e123.slopes);
+                    let _e121 = water;
+                    let _e123 = band_3;
+                    let _e125 = heading_1;
+                    let _e126 = gabor_impl_slopes_along(_e123.slopes, _e125);
+                    water.lost = (_e121.lost + _e126);
                     continue;
                 }
             }
-            let _e126 = i_1;
-            let _e129 = i_1;
-            three_1 = ((_e126 > 0i) && (_e129 < 4i));
-            let _e134 = i_1;
-            let _e135 = gabor_lobe_seed(seed, _e134);
-            let _e136 = gabor_impl_salt(_e135);
-            salt_4 = _e136;
-            let _e144 = band_2;
-            let _e146 = band_2;
-            gabor_impl_float_by(cell.x, local.x, _e144.exponent, _e146.drift.x, second, fraction, (&whole_x), (&rest_x));
-            let _e155 = band_2;
-            let _e157 = band_2;
-            gabor_impl_float_by(cell.y, local.y, _e155.exponent, _e157.drift.y, second, fraction, (&whole_y), (&rest_y));
-            let _e164 = rest_x;
-            let _e165 = rest_y;
-            let _e168 = salt_4;
-            let _e172 = salt_4;
-            rest_3 = (vec2<f32>(_e164, _e165) + (0.000015258789f * vec2<f32>(f32((_e168 & 65535u)), f32((_e172 >> 16u)))));
-            let _e180 = three_1;
-            if _e180 {
-                local_25 = 0.5f;
+            let _e128 = i_1;
+            let _e129 = gabor_impl_three(_e128);
+            three_1 = _e129;
+            let _e131 = i_1;
+            let _e132 = gabor_lobe_seed(seed, _e131);
+            let _e133 = gabor_impl_salt(_e132);
+            salt_4 = _e133;
+            let _e141 = band_3;
+            let _e143 = band_3;
+            gabor_impl_float_by(cell.x, local.x, _e141.exponent, _e143.drift.x, second, fraction, (&whole_x), (&rest_x));
+            let _e152 = band_3;
+            let _e154 = band_3;
+            gabor_impl_float_by(cell.y, local.y, _e152.exponent, _e154.drift.y, second, fraction, (&whole_y), (&rest_y));
+            let _e161 = rest_x;
+            let _e162 = rest_y;
+            let _e165 = salt_4;
+            let _e169 = salt_4;
+            rest_3 = (vec2<f32>(_e161, _e162) + (0.000015258789f * vec2<f32>(f32((_e165 & 65535u)), f32((_e169 >> 16u)))));
+            let _e177 = three_1;
+            if _e177 {
+                local_32 = 0.5f;
             } else {
-                local_25 = 0f;
+                local_32 = 0f;
             }
-            let _e184 = local_25;
-            inset = _e184;
-            let _e186 = band_2;
-            spacing = exp2(f32(_e186.exponent));
-            let _e191 = three_1;
-            if _e191 {
+            let _e181 = local_32;
+            inset = _e181;
+            let _e183 = band_3;
+            spacing = exp2(f32(_e183.exponent));
+            let _e188 = three_1;
+            if _e188 {
                 if false {
-                    local_26 = 1f;
+                    local_33 = 1f;
                 } else {
-                    local_26 = 1.125f;
+                    local_33 = 1.125f;
                 }
-                let _e201 = local_26;
-                local_27 = _e201;
+                let _e198 = local_33;
+                local_34 = _e198;
             } else {
-                local_27 = 1f;
+                local_34 = 1f;
             }
-            let _e204 = local_27;
-            energy = _e204;
-            let _e206 = rest_3;
-            let _e207 = inset;
-            first_2 = floor((_e206 - vec2(_e207)));
-            let _e212 = inset;
-            let _e213 = rest_3;
-            let _e214 = inset;
-            let _e217 = first_2;
-            offset = (vec2(_e212) + clamp(((_e213 - vec2(_e214)) - _e217), vec2(0f), vec2(1f)));
-            let _e227 = whole_x;
-            let _e228 = whole_y;
-            let _e230 = first_2;
-            node = (vec2<i32>(_e227, _e228) + vec2<i32>(_e230));
-            let _e238 = three_1;
-            let _e239 = offset;
-            gabor_impl_water_windows(_e238, _e239.x, (&x_8), (&slope_x));
-            let _e245 = three_1;
-            let _e246 = offset;
-            gabor_impl_water_windows(_e245, _e246.y, (&y_4), (&slope_y));
-            let _e252 = three_1;
-            if _e252 {
-                local_28 = 1459955300000000000000000000f;
+            let _e201 = local_34;
+            energy = _e201;
+            let _e203 = rest_3;
+            let _e204 = inset;
+            first_2 = floor((_e203 - vec2(_e204)));
+            let _e209 = inset;
+            let _e210 = rest_3;
+            let _e211 = inset;
+            let _e214 = first_2;
+            offset = (vec2(_e209) + clamp(((_e210 - vec2(_e211)) - _e214), vec2(0f), vec2(1f)));
+            let _e224 = whole_x;
+            let _e225 = whole_y;
+            let _e227 = first_2;
+            node = (vec2<i32>(_e224, _e225) + vec2<i32>(_e227));
+            let _e235 = three_1;
+            let _e236 = offset;
+            gabor_impl_water_windows(_e235, _e236.x, (&x_8), (&slope_x));
+            let _e242 = three_1;
+            let _e243 = offset;
+            gabor_impl_water_windows(_e242, _e243.y, (&y_4), (&slope_y));
+            let _e249 = three_1;
+            if _e249 {
+                local_35 = 1459955300000000000000000000f;
             } else {
-                local_28 = 1243281800000000000000000000000f;
+                local_35 = 1243281800000000000000000000000f;
             }
-            let _e256 = local_28;
-            deviation_1 = _e256;
-            let _e258 = three_1;
-            if _e258 {
-                let _e262 = deviation_1;
-                local_29 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e262));
+            let _e253 = local_35;
+            deviation_1 = _e253;
+            let _e255 = three_1;
+            if _e255 {
+                let _e259 = deviation_1;
+                local_36 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e259));
             } else {
-                let _e268 = deviation_1;
-                local_29 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e268));
+                let _e265 = deviation_1;
+                local_36 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e265));
             }
-            let _e272 = local_29;
-            shape_1 = _e272;
-            let _e274 = x_8;
-            let _e275 = band_2;
-            let _e277 = energy;
-            let _e278 = deviation_1;
-            x_8 = (_e274 * (_e275.amplitude / (_e277 * _e278)));
-            let _e282 = slope_x;
-            let _e283 = band_2;
-            let _e285 = energy;
-            let _e286 = deviation_1;
-            let _e288 = spacing;
-            slope_x = (_e282 * (_e283.amplitude / ((_e285 * _e286) * _e288)));
-            let _e292 = slope_y;
-            let _e293 = spacing;
-            slope_y = (_e292 / vec4(_e293));
-            let _e297 = band_2;
-            f_2 = (0.000000014901161f * _e297.low);
-            let _e301 = three_1;
-            if _e301 {
-                local_30 = 0.6383f;
+            let _e269 = local_36;
+            shape_1 = _e269;
+            let _e271 = x_8;
+            let _e272 = band_3;
+            let _e274 = energy;
+            let _e275 = deviation_1;
+            x_8 = (_e271 * (_e272.amplitude / (_e274 * _e275)));
+            let _e279 = slope_x;
+            let _e280 = band_3;
+            let _e282 = energy;
+            let _e283 = deviation_1;
+            let _e285 = spacing;
+            slope_x = (_e279 * (_e280.amplitude / ((_e282 * _e283) * _e285)));
+            let _e289 = slope_y;
+            let _e290 = spacing;
+            slope_y = (_e289 / vec4(_e290));
+            let _e294 = band_3;
+            f_2 = (0.000000014901161f * _e294.low);
+            let _e298 = three_1;
+            if _e298 {
+                local_37 = 0.6383f;
             } else {
-                local_30 = 0.622f;
+                local_37 = 0.622f;
             }
-            let _e305 = local_30;
-            let _e306 = f_2;
-            let _e308 = f_2;
-            wave_6 = ((_e305 * _e306) * _e308);
-            let _e311 = node;
-            let _e313 = salt_4;
-            let _e314 = gabor_impl_line_word(_e311.x, _e313);
-            left = _e314;
-            let _e316 = node;
-            let _e320 = salt_4;
-            let _e321 = gabor_impl_line_word((_e316.x + 1i), _e320);
-            middle_1 = _e321;
-            let _e323 = node;
-            let _e327 = salt_4;
-            let _e328 = gabor_impl_line_word((_e323.x + 2i), _e327);
-            right = _e328;
-            let _e330 = spacing;
-            let _e331 = back_1;
-            across = (_e330 * _e331);
-            let _e334 = spacing;
-            let _e335 = offset;
-            let _e337 = heading_1;
-            let _e338 = gabor_impl_into((_e334 * _e335), _e337);
-            from_1 = _e338;
-            let _e340 = spacing;
-            let _e341 = heading_1;
-            down_1 = (_e340 * _e341.yx);
+            let _e302 = local_37;
+            let _e303 = f_2;
+            let _e305 = f_2;
+            wave_6 = ((_e302 * _e303) * _e305);
+            let _e308 = node;
+            let _e310 = salt_4;
+            let _e311 = gabor_impl_line_word(_e308.x, _e310);
+            left = _e311;
+            let _e313 = node;
+            let _e317 = salt_4;
+            let _e318 = gabor_impl_line_word((_e313.x + 1i), _e317);
+            middle_1 = _e318;
+            let _e320 = node;
+            let _e324 = salt_4;
+            let _e325 = gabor_impl_line_word((_e320.x + 2i), _e324);
+            right = _e325;
+            let _e327 = spacing;
+            let _e328 = offset;
+            from_1 = (_e327 * _e328);
             j_2 = 0i;
             loop {
-                let _e347 = j_2;
-                let _e348 = three_1;
-                if _e348 {
-                    local_31 = 3i;
+                let _e333 = j_2;
+                let _e334 = three_1;
+                if _e334 {
+                    local_38 = 3i;
                 } else {
-                    local_31 = 2i;
+                    local_38 = 2i;
                 }
-                let _e352 = local_31;
-                if !((_e347 < _e352)) {
+                let _e338 = local_38;
+                if !((_e333 < _e338)) {
                     break;
                 }
                 {
-                    let _e358 = node;
-                    let _e360 = j_2;
-                    let _e362 = salt_4;
-                    let _e365 = gabor_impl_line_word((_e358.y + _e360), (_e362 ^ 1540483477u));
-                    row_1 = _e365;
-                    let _e367 = j_2;
-                    if (_e367 == 0i) {
-                        let _e370 = y_4;
-                        let _e372 = slope_y;
-                        local_33 = vec2<f32>(_e370.x, _e372.x);
+                    let _e344 = node;
+                    let _e346 = j_2;
+                    let _e348 = salt_4;
+                    let _e351 = gabor_impl_line_word((_e344.y + _e346), (_e348 ^ 1540483477u));
+                    row_1 = _e351;
+                    let _e353 = j_2;
+                    if (_e353 == 0i) {
+                        let _e356 = y_4;
+                        let _e358 = slope_y;
+                        local_40 = vec2<f32>(_e356.x, _e358.x);
                     } else {
-                        let _e375 = j_2;
-                        if (_e375 == 1i) {
-                            let _e378 = y_4;
-                            let _e380 = slope_y;
-                            local_32 = vec2<f32>(_e378.y, _e380.y);
+                        let _e361 = j_2;
+                        if (_e361 == 1i) {
+                            let _e364 = y_4;
+                            let _e366 = slope_y;
+                            local_39 = vec2<f32>(_e364.y, _e366.y);
                         } else {
-                            let _e383 = y_4;
-                            let _e385 = slope_y;
-                            local_32 = vec2<f32>(_e383.z, _e385.z);
+                            let _e369 = y_4;
+                            let _e371 = slope_y;
+                            local_39 = vec2<f32>(_e369.z, _e371.z);
                         }
-                        let _e389 = local_32;
-                        local_33 = _e389;
+                        let _e375 = local_39;
+                        local_40 = _e375;
                     }
-                    let _e391 = local_33;
-                    w = _e391;
-                    let _e396 = row_1;
-                    let _e397 = left;
-                    let _e399 = from_1;
-                    let _e400 = x_8;
-                    let _e402 = w;
-                    let _e405 = slope_x;
-                    let _e407 = w;
-                    let _e410 = x_8;
-                    let _e412 = w;
-                    let _e416 = band_2;
-                    let _e417 = wave_6;
-                    let _e418 = shape_1;
-                    let _e419 = dx_2;
-                    let _e420 = dy_2;
-                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e396 * _e397), _e399, vec3<f32>((_e400.x * _e402.x), (_e405.x * _e407.x), (_e410.x * _e412.y)), _e416, _e417, _e418, second, fraction, _e419, _e420);
-                    let _e427 = row_1;
-                    let _e428 = middle_1;
-                    let _e430 = from_1;
-                    let _e431 = across;
-                    let _e433 = x_8;
-                    let _e435 = w;
-                    let _e438 = slope_x;
-                    let _e440 = w;
-                    let _e443 = x_8;
-                    let _e445 = w;
-                    let _e449 = band_2;
-                    let _e450 = wave_6;
-                    let _e451 = shape_1;
-                    let _e452 = dx_2;
-                    let _e453 = dy_2;
-                    gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e427 * _e428), (_e430 - _e431), vec3<f32>((_e433.y * _e435.x), (_e438.y * _e440.x), (_e443.y * _e445.y)), _e449, _e450, _e451, second, fraction, _e452, _e453);
-                    let _e457 = three_1;
-                    if _e457 {
-                        let _e461 = row_1;
-                        let _e462 = right;
-                        let _e464 = from_1;
-                        let _e466 = across;
-                        let _e469 = x_8;
-                        let _e471 = w;
-                        let _e474 = slope_x;
-                        let _e476 = w;
-                        let _e479 = x_8;
-                        let _e481 = w;
-                        let _e485 = band_2;
-                        let _e486 = wave_6;
-                        let _e487 = shape_1;
-                        let _e488 = dx_2;
-                        let _e489 = dy_2;
-                        gabor_impl_add_water((&water), (&tilt_1), (&squeeze_1), (_e461 * _e462), (_e464 - (2f * _e466)), vec3<f32>((_e469.z * _e471.x), (_e474.z * _e476.x), (_e479.z * _e481.y)), _e485, _e486, _e487, second, fraction, _e488, _e489);
+                    let _e377 = local_40;
+                    w = _e377;
+                    let _e381 = row_1;
+                    let _e382 = left;
+                    let _e384 = from_1;
+                    let _e385 = x_8;
+                    let _e387 = w;
+                    let _e390 = slope_x;
+                    let _e392 = w;
+                    let _e395 = x_8;
+                    let _e397 = w;
+                    let _e401 = band_3;
+                    let _e402 = heading_1;
+                    let _e403 = quantum_1;
+                    let _e404 = wave_6;
+                    let _e405 = shape_1;
+                    gabor_impl_add_water((&water), (&squeeze_1), (_e381 * _e382), _e384, vec3<f32>((_e385.x * _e387.x), (_e390.x * _e392.x), (_e395.x * _e397.y)), _e401, _e402, _e403, _e404, _e405, second, fraction, dx, dy);
+                    let _e410 = row_1;
+                    let _e411 = middle_1;
+                    let _e413 = from_1;
+                    let _e414 = spacing;
+                    let _e418 = x_8;
+                    let _e420 = w;
+                    let _e423 = slope_x;
+                    let _e425 = w;
+                    let _e428 = x_8;
+                    let _e430 = w;
+                    let _e434 = band_3;
+                    let _e435 = heading_1;
+                    let _e436 = quantum_1;
+                    let _e437 = wave_6;
+                    let _e438 = shape_1;
+                    gabor_impl_add_water((&water), (&squeeze_1), (_e410 * _e411), (_e413 - vec2<f32>(_e414, 0f)), vec3<f32>((_e418.y * _e420.x), (_e423.y * _e425.x), (_e428.y * _e430.y)), _e434, _e435, _e436, _e437, _e438, second, fraction, dx, dy);
+                    let _e441 = three_1;
+                    if _e441 {
+                        let _e444 = row_1;
+                        let _e445 = right;
+                        let _e447 = from_1;
+                        let _e449 = spacing;
+                        let _e454 = x_8;
+                        let _e456 = w;
+                        let _e459 = slope_x;
+                        let _e461 = w;
+                        let _e464 = x_8;
+                        let _e466 = w;
+                        let _e470 = band_3;
+                        let _e471 = heading_1;
+                        let _e472 = quantum_1;
+                        let _e473 = wave_6;
+                        let _e474 = shape_1;
+                        gabor_impl_add_water((&water), (&squeeze_1), (_e444 * _e445), (_e447 - vec2<f32>((2f * _e449), 0f)), vec3<f32>((_e454.z * _e456.x), (_e459.z * _e461.x), (_e464.z * _e466.y)), _e470, _e471, _e472, _e473, _e474, second, fraction, dx, dy);
                     }
-                    let _e493 = from_1;
-                    let _e494 = down_1;
-                    from_1 = (_e493 - _e494);
+                    let _e478 = from_1;
+                    let _e480 = spacing;
+                    from_1.y = (_e478.y - _e480);
                 }
                 continuing {
-                    let _e355 = j_2;
-                    j_2 = (_e355 + 1i);
+                    let _e341 = j_2;
+                    j_2 = (_e341 + 1i);
                 }
             }
         }
         continuing {
-            let _e95 = i_1;
-            i_1 = (_e95 + 1i);
+            let _e85 = i_1;
+            i_1 = (_e85 + 1i);
         }
     }
-    let _e497 = water;
-    let _e499 = back_1;
-    let _e500 = gabor_impl_into(_e497.slope, _e499);
-    let _e501 = tilt_1;
-    water.slope = (_e500 + _e501);
-    let _e504 = water;
-    let _e506 = back_1;
-    let _e507 = gabor_impl_into(_e504.shift, _e506);
-    water.shift = _e507;
-    let _e510 = squeeze_1;
-    let _e514 = squeeze_1;
-    let _e517 = squeeze_1;
-    let _e521 = squeeze_1;
-    let _e523 = squeeze_1;
-    water.fold = (((1f - _e510.x) * ((1f - _e514.z) + _e517.x)) - (_e521.y * _e523.y));
-    let _e528 = water;
-    let _e531 = hidden;
-    let _e534 = hidden;
-    mean = (0.5f * ((_e528.lost.z + _e531.x) + _e534.y));
-    let _e539 = water;
-    let _e542 = hidden;
-    let _e545 = mean;
-    let _e547 = water;
-    let _e551 = back_1;
-    let _e552 = gabor_impl_into(vec2<f32>(((_e539.lost.x + _e542.x) - _e545), _e547.lost.y), _e551);
-    let _e553 = back_1;
-    let _e554 = gabor_impl_into(_e552, _e553);
-    parts = _e554;
-    let _e557 = mean;
-    let _e558 = parts;
-    let _e561 = mean;
-    let _e562 = parts;
-    let _e565 = parts;
-    water.lost = vec3<f32>((_e557 + _e558.x), (_e561 - _e562.x), _e565.y);
-    let _e568 = water;
-    return _e568;
+    let _e484 = squeeze_1;
+    let _e488 = squeeze_1;
+    let _e491 = squeeze_1;
+    let _e495 = squeeze_1;
+    let _e497 = squeeze_1;
+    water.fold = (((1f - _e484.x) * ((1f - _e488.z) + _e491.x)) - (_e495.y * _e497.y));
+    let _e502 = water;
+    let _e505 = water;
+    let _e508 = water;
+    let _e512 = water;
+    water.lost = vec3<f32>(_e502.lost.x, (_e505.lost.z - _e508.lost.x), _e512.lost.y);
+    let _e516 = water;
+    return _e516;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

@@ -33,7 +33,7 @@ class Help(ProgramTest):
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover", "--boards",
-                              "--wind", "--fetch", "--altitude",
+                              "--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude",
                               "--maps", "--metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--seed", "--tileable", "--device"),
@@ -71,9 +71,9 @@ class Help(ProgramTest):
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom"), ["--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
                  **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
-                 **dict.fromkeys(("--wind", "--fetch", "--altitude"), ["--view=ocean"]), "--extent": ["--view=terrain"], "--cover": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
+                 **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": ["--view=terrain"], "--cover": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
-        for command, number in ("render", 32), ("erode", 17):
+        for command, number in ("render", 36), ("erode", 17):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             for option, value, view in found:

@@ -56,8 +56,19 @@ class Ocean(ProgramTest):
         times = [Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2)]
         np.testing.assert_allclose(times, (3, 3.04))
 
+    def test_a_swell_adds_its_height_and_a_loop_repeats(self):
+        above = "--altitude=1000", "--pitch=90", "--zoom=0.5", "--wind=4", "--seed=2"
+        plain, swell, across = (self.drawn(*above, *more, size="128x128")["height"] for more in ((), ("--swell=4",), ("--swell=4", "--swell-direction=150")))
+        self.assertAlmostEqual((swell - plain).std(), 1, delta=0.25)
+        self.assertGreater((swell - across).std(), 1)
+        longer = self.drawn(*above, "--swell=4", "--swell-period=20", size="128x128")["height"] - plain
+        self.assertLess(np.abs(np.diff(longer)).mean(), 0.6 * np.abs(np.diff(swell - plain)).mean())
+        first, later, between = (self.drawn("--loop=16", "--swell=2", f"--time={time}")["height"] for time in (3.25, 19.25, 11.25))
+        np.testing.assert_array_equal(first, later)
+        self.assertGreater(np.abs(first - between).mean(), 0.05)
+
     def test_what_does_not_fit_is_refused(self):
-        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "tileable"):
+        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "swell=-1", "swell-period=4", "loop=10", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
         self.assert_refused(["--wind", "the ocean view"], "render", "-o", "out.exr", "--wind=8")
         self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")

@@ -89,7 +89,8 @@ Place anywhere(Random& random) {
             random.word()};
 }
 
-const GaborOcean seas[]{gabor_ocean(12), gabor_ocean_of(3, 0.8f, 3e3f), gabor_ocean_of(22, -2.5f, 8e5f)};
+const GaborOcean seas[]{gabor_ocean(12), gabor_ocean_of(3, 0.8f, 3e3f, {0, 0, 0}, 0),
+                        gabor_ocean_of(22, -2.5f, 8e5f, {0, 0, 0}, 0)};
 
 } // namespace
 
@@ -126,7 +127,8 @@ TEST_CASE("heights and slopes of the sea are normal at any one place and time", 
     for (const GaborOcean& sea : seas) {
         double height = 0;
         gabor_vec2 slopes{0, 0};
-        const GaborOcean calm = gabor_ocean_of(sea.wind, 0, sea.fetch); // whose slopes are along x and y
+        const GaborOcean calm =
+            gabor_ocean_of(sea.wind, 0, sea.fetch, {0, 0, 0}, 0); // whose slopes are along x and y
         for (const GaborOceanBand& band : calm.band) {
             height += static_cast<double>(band.amplitude * band.amplitude);
             slopes += band.slopes;
@@ -156,7 +158,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
         std::normal_distribution<> normal;
         for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
             const GaborOceanBand& band = sea.band[i];
-            const bool three = i > 0 && i < 4;
+            const bool three = gabor_impl_three(i);
             const double blur = std::sqrt(three ? 1.462 : 3.372) / (2 * pi) / std::exp2(band.exponent);
             const auto add = [&](double x, double y, double power, std::size_t of) {
                 x += blur * normal(random);
@@ -175,10 +177,9 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                 const auto word = static_cast<std::uint32_t>(random()) | 1u;
                 const auto node = [&](float time) {
                     GaborWater sum{};
-                    gabor_vec2 tilt{0, 0};
                     gabor_vec3 squeeze{0, 0, 0};
                     const float wave = 0.640488f * std::pow(band.low / 65536 / 1024, 2.0f);
-                    gabor_impl_add_water(sum, tilt, squeeze, word, {0, 0}, {1, 0, 0}, band, wave,
+                    gabor_impl_add_water(sum, squeeze, word, {0, 0}, {1, 0, 0}, band, {1, 0}, 0, wave,
                                          {0, 1e21f, 0}, 0, time, {0, 0}, {0, 0});
                     return sum;
                 };
@@ -206,7 +207,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
 
 // With the sign of the drift's phase flipped, the correlation along the wind errs by up to 0.5.
 TEST_CASE("the sea's waves travel as the dispersion relation says", "[ocean][law]") {
-    const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f);
+    const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f, {0, 0, 0}, 0);
     const std::vector<Wave> theory =
         waves(sea.wind, sea.direction, sea.fetch, lowest(sea), highest(sea), 400, 90);
     double power = 0;
@@ -269,6 +270,83 @@ TEST_CASE("the sea moves on without a jump, after any time", "[ocean]") {
                      [&] { return fmt::format("second 2^{}", bit); });
         }
     jump.check("height");
+}
+
+TEST_CASE("a swell has its height, period and direction and rides on the sea", "[ocean][law]") {
+    const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f, {3, 14, -2}, 0),
+                     calm = gabor_ocean_of(12, 0.8f, 2e5f, {0, 0, 0}, 0);
+    Random random(8);
+    Moments both;
+    double swell = 0, cosines = 0, later = 0, there = 0, across = 0;
+    constexpr int count = 1 << 17;
+    const double wavelength = gravity * 14 * 14 / (2 * pi);
+    const auto swell_at = [&](const Place& place, double x, double y, double time) {
+        return static_cast<double>(place.water(sea, x, y, time).height -
+                                   place.water(calm, x, y, time).height);
+    };
+    for (int i = 0; i < count; ++i) {
+        const Place place = anywhere(random);
+        both.add(place.water(sea).height);
+        const double here = swell_at(place, 0, 0, 0);
+        swell += here * here / count;
+        if (i >= count / 8)
+            continue;
+        cosines += here * here;
+        later += here * swell_at(place, 0, 0, 7);
+        there += here * swell_at(place, wavelength / 2 * std::cos(-2), wavelength / 2 * std::sin(-2), 7);
+        across += here * swell_at(place, -wavelength / 2 * std::sin(-2), wavelength / 2 * std::cos(-2), 0);
+    }
+    const double wind_sea = [&] {
+        double power = 0;
+        for (const Wave& wave : waves(12, 0, 2e5, lowest(sea), highest(sea), 20000, 1))
+            power += wave.power;
+        return power;
+    }();
+    fmt::print("variance of the swell {:.4f} of {:.4f}, of both {:.4f} of {:.4f}; correlation half a period "
+               "later {:.3f}, and half "
+               "a wave on {:.3f}; half a wave across {:.3f}\n",
+               swell, 9 / 16.0, both.variance(), 9 / 16.0 + wind_sea, later / cosines, there / cosines,
+               across / cosines);
+    CHECK(std::abs(swell / (9 / 16.0) - 1) < 0.005 + 2 * std::sqrt(2.0 / count));
+    CHECK(std::abs(both.variance() / (9 / 16.0 + wind_sea) - 1) < 0.005 + 2 * std::sqrt(2.0 / count));
+    CHECK(later < -0.85 * cosines);
+    CHECK(there > 0.85 * cosines);
+    CHECK(across > 0.75 * cosines);
+}
+
+TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the same law", "[ocean][law]") {
+    for (const int loop : {8, 64, 4096}) {
+        const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop),
+                         endless = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, 0);
+        Random random(9);
+        Moments heights, slopes, heights_endless, slopes_endless;
+        double half = 0;
+        int differ = 0;
+        constexpr int count = 1 << 16;
+        for (int i = 0; i < count; ++i) {
+            Place place = anywhere(random);
+            const GaborWater now = place.water(sea), other = place.water(endless);
+            heights.add(now.height);
+            slopes.add(now.slope.x);
+            heights_endless.add(other.height);
+            slopes_endless.add(other.slope.x);
+            place.second += loop;
+            const GaborWater later = place.water(sea);
+            differ += now.height != later.height || now.slope.x != later.slope.x || now.fold != later.fold;
+            place.second -= loop / 2;
+            half += now.height * place.water(sea).height;
+        }
+        const double tall = heights.variance() / heights_endless.variance(),
+                     steep = slopes.variance() / slopes_endless.variance();
+        fmt::print("loop of {} s: {} of {} differ after it; variance of heights {:.3f} and slopes {:.3f} of "
+                   "an endless sea's; correlation "
+                   "after half of it {:.3f}\n",
+                   loop, differ, count, tall, steep, half / count / heights.variance());
+        CHECK(differ == 0);
+        CHECK(std::abs(tall - 1) < 0.02);
+        CHECK(std::abs(steep - 1) < 0.02 + 1.0 / loop); // frequencies are rounded
+        CHECK(std::abs(half / count / heights.variance()) < 0.9);
+    }
 }
 
 TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights and shifts", "[ocean]") {

@@ -378,7 +378,7 @@ void see_all(int i) {
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
 #endif
 #if defined GOLDEN_OCEAN
-    GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f);
+    GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f, vec3(i % 4 == 1 ? 2.5f : 0.0f, 11.0f, -0.7f), i % 4 == 3 ? 64 : 0);
     int second = i % 4 == 0 ? 10000000 + i : i; // four months
     vec2 none = vec2(0.0f, 0.0f), dx = vec2(drawn(i, 45, -3.0f, 3.0f), drawn(i, 46, -3.0f, 3.0f));
     vec2 at = vec2(drawn(i, 47, -900.0f, 900.0f), drawn(i, 48, -900.0f, 900.0f));
@@ -388,7 +388,7 @@ void see_all(int i) {
     SEE(kept(gabor_water(at, 60.0f * fraction, sea, s.seed)))
     SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
     SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
-    SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude)
+    SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude + sea.band[GABOR_OCEAN_BANDS].amplitude)
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units

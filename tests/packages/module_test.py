@@ -22,7 +22,8 @@ POINTS_3D = POINTS | dict(z=np.linspace(0.2, 9, 24))
 WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
 COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
-SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], seed=[1, 2, 3])
+SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell=[0.0, 1.0, 3.0],
+           loop=[0, 8, 256], seed=[1, 2, 3])
 SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
 # Each function, its fixed arguments, and three values of each argument that may be an array.
 CASES = [
@@ -50,7 +51,9 @@ CASES = [
     (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
     (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
     (gn.water, POINTS, SEA | dict(pixel=SIDES)),
+    (gn.water, POINTS | dict(swell=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
     (gn.water_height, POINTS, SEA),
+    (gn.water_height, POINTS | dict(swell=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
 ]
 EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
                onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],

@@ -308,8 +308,8 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 # ---- The sea -------------------------------------------------------------------------------------------------------
 
 def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-          fetch: ArrayLike = 2e5, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
-          dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
+          fetch: ArrayLike = 2e5, swell: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = 0.0,
+          loop: ArrayLike = 0, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None, dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; fold, the determinant of the derivative
     of (x, y) + shift, with foam where it falls below 0.4; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
@@ -320,6 +320,10 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
     wind: metres per second, 10 m up.
     direction: where the waves go.
     fetch: metres of open water upwind.
+    swell: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
+    swell_period: its seconds from crest to crest, 5 to 25.
+    swell_direction: where it goes.
+    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still.
     pixel: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
     """
     values = evaluate("water", locals())
@@ -328,7 +332,8 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
 
 
 def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-                 fetch: ArrayLike = 2e5, seed: ArrayLike = 0, workers: int | None = None,
+                 fetch: ArrayLike = 2e5, swell: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = 0.0,
+                 loop: ArrayLike = 0, seed: ArrayLike = 0, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
     return evaluate("water_height", locals())

@@ -27,6 +27,10 @@ _RANGES: dict[str, tuple[float, float]] = {
     "seconds": (-2e9, 2e9),
     "wind": (2, 30),
     "fetch": (1e3, 1e6),
+    "swell": (0, 30),
+    "swell_period": (5, 25),
+    "swell_direction": (-1e15, 1e15),
+    "loop": (0, 4096),
     "pixel": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
@@ -195,6 +199,10 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
             found = periods(value, length, least_period)
         elif name == "seed":
             found = [seeds(name, value)]
+        elif name == "loop":
+            found = [numbers(name, value)]
+            if not np.isin(found[0], (0, *2.0 ** np.arange(3, 13))).all():
+                raise refuse(name, value, "0 or a power of 2 from 8 to 4096")
         elif name == "time":
             found = [numbers(name, 0.0 if value is None else value)]
         else:

@@ -4,25 +4,28 @@
 
 #include "gabor_ocean.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace {
 
-const char* const inputs = "x y seconds wind direction fetch seed ";
+const char* const inputs = "x y seconds wind direction fetch swell swell_period swell_direction loop seed ";
+constexpr std::size_t seed_input = 10;
 
 GaborOcean ocean_of(const Block& block, std::size_t i) {
-    return gabor_ocean_of(block.in[3][i], block.in[4][i], block.in[5][i]);
+    return gabor_ocean_of(block.in[3][i], block.in[4][i], block.in[5][i],
+                          {block.in[6][i], block.in[7][i], block.in[8][i]}, static_cast<int>(block.in[9][i]));
 }
 
 bool one_ocean(const Block& block) {
-    return block.in[3].constant && block.in[4].constant && block.in[5].constant;
+    return std::all_of(block.in.begin() + 3, block.in.begin() + seed_input,
+                       [](const Input& input) { return input.constant; });
 }
 
 GaborWater water_at(const Block& block, std::size_t i, double x, double y, gabor_vec2 dx, gabor_vec2 dy,
                     const GaborOcean& ocean) {
     const Split across(x, 1.0f), down(y, 1.0f), time(block.in[2].exact(i), 1.0f);
     return gabor_water_at({across.cell, down.cell}, {across.local, down.local}, time.cell, time.local, dx, dy,
-                          ocean, block.seed(6, i));
+                          ocean, block.seed(seed_input, i));
 }
 
 void fill_water(const Block& block) {
@@ -30,8 +33,9 @@ void fill_water(const Block& block) {
     for (std::size_t i = 0; i < block.count; ++i) {
         if (i > 0 && !one_ocean(block))
             ocean = ocean_of(block, i);
-        const GaborWater water = water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
-                                          {block.in[7][i], 0.0f}, {0.0f, block.in[8][i]}, ocean);
+        const GaborWater water =
+            water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
+                     {block.in[seed_input + 1][i], 0.0f}, {0.0f, block.in[seed_input + 2][i]}, ocean);
         const float values[]{water.height, water.slope.x, water.slope.y, water.shift.x, water.shift.y,
                              water.fold,   water.lost.x,  water.lost.y,  water.lost.z};
         for (std::size_t c = 0; c < 9; ++c)

@@ -35,7 +35,7 @@ vec3 seen(GaborWater w, vec3 ray, vec3 sun) {
 
 void mainImage(out vec4 color, vec2 pixel) {
     vec2 mouse = iMouse.z > 0.0 ? iMouse.xy / iResolution.xy : vec2(0.4, 0.3);
-    GaborOcean ocean = gabor_ocean_of(mix(3.0, 25.0, mouse.x), 0.9, 2.0e5);
+    GaborOcean ocean = gabor_ocean_of(mix(3.0, 25.0, mouse.x), 0.9, 2.0e5, vec3(0.0), 0);
     float high = 0.06 + 0.5 * mouse.y;
     vec3 sun = normalize(vec3(-0.25, high, 1.0));
     vec2 screen = (2.0 * pixel - iResolution.xy) / iResolution.y;

@@ -17,8 +17,8 @@ function uniforms_of(address) {
         quarter: floats.slice(at + 5, at + 9), spread: floats.slice(at + 9, at + 12), widen: floats.slice(at + 12, at + 14),
         drift: ints.slice(at + 14, at + 16),
     });
-    return { wind: floats[0], direction: floats[1], fetch: floats[2], tail: floats.slice(3, 5),
-             band: Array.from({ length: 9 }, (_, i) => band(5 + 16 * i)) };
+    return { wind: floats[0], direction: floats[1], fetch: floats[2], swell: floats.slice(3, 6), loop: ints[6], tail: floats.slice(7, 9),
+             band: Array.from({ length: 10 }, (_, i) => band(9 + 16 * i)) };
 }
 
 const uniforms = { seconds: { value: 0 }, ocean: { value: uniforms_of(cpu.sea(wind)) } };
