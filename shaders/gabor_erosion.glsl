@@ -4,6 +4,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//     vec4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -56,6 +57,10 @@ struct GaborErosion {
 //     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
+
+// vec4 gabor_ground(GaborTerrain terrain)
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, and scree
+//     rather than grass below ridges. Heights are those of gabor_terrain, about from -1 to 1.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2(0), p, vec2(0.0)) for a point
     ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
@@ -325,6 +330,13 @@ GaborTerrain gabor_terrain(vec2 p, uint seed) {
 
 GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
     return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), vec2(0.0), vec2(0.0), base, erosion, seed);
+}
+
+vec4 gabor_ground(GaborTerrain terrain) {
+    float steep = length(terrain.slope);
+    float scree = smoothstep(-0.3, 0.35, terrain.height + 0.1 * terrain.ridge), rock = smoothstep(0.55, 1.0, steep);
+    float snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
+    return vec4((1.0 - snow) * vec3((1.0 - rock) * vec2(1.0 - scree, scree), rock), snow);
 }
 
 #endif // GABOR_EROSION_GLSL

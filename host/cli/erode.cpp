@@ -48,6 +48,7 @@ struct ErodeOptions {
     std::string preset = "alps";
     ParameterOptions parameters; // the seed and the erosion; these override those of the preset
     bool tileable = false;
+    std::string compression = "none";
     std::string device;
 };
 
@@ -207,6 +208,7 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
         .channels = {render::erosion_channels.begin(), render::erosion_channels.begin() + kept},
         .parameters = header_of(options, map, request),
         .software = render::software(device),
+        .compression = options.compression,
     };
     std::optional<image::ExrWriter> exr;
     std::optional<render::HeightWriter> heights;
@@ -289,6 +291,7 @@ void add_erode_command(CLI::App& app) {
         "grass, scree, rock and snow; masks.exr with all of them, and masks.json with their scale");
     add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
                "Write only this part of the eroded map [all of it]");
+    add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
     begin_group(*command, "Map");
     add_option(*command, "--size", options->size, "WIDTHxHEIGHT",

@@ -3,10 +3,12 @@
 #include "cli/terminal.hpp"
 #include "edits.hpp"
 #include "error.hpp"
+#include "image/exr.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -136,6 +138,22 @@ void add_device_option(CLI::App& command, std::string& device) {
     command
         .add_option("--device", device,
                     "Vulkan device: its index or part of its name [a GPU, if there is one]")
+        ->type_name("NAME");
+}
+
+void add_compression_option(CLI::App& command, std::string& compression) {
+    const std::string accepted = fmt::format("{}", fmt::join(image::exr_compressions, ", "));
+    command
+        .add_option_function<std::string>(
+            "--compression",
+            [&compression, accepted](const std::string& name) {
+                if (std::ranges::find(image::exr_compressions, name) == image::exr_compressions.end())
+                    throw RequestError(fmt::format("--compression '{}': expected {}", name, accepted));
+                compression = name;
+            },
+            fmt::format(
+                "Lossless compression of the EXR, for skies and nodata; noise hardly gets smaller: {} [none]",
+                accepted))
         ->type_name("NAME");
 }
 

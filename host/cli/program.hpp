@@ -19,6 +19,9 @@ struct Program {
 /// Adds the option --device to a command.
 void add_device_option(CLI::App& command, std::string& device);
 
+/// Adds --compression, which takes one of image::exr_compressions.
+void add_compression_option(CLI::App& command, std::string& compression);
+
 /// Runs the command line and returns the exit status: 0 for success, 1 if the work failed, 2 if the request
 /// was wrong. Prints errors as one line on stderr. After SIGINT or SIGTERM it cleans up and does not return:
 /// the signal terminates the process.

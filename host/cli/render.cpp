@@ -33,6 +33,7 @@ struct RenderOptions {
     std::optional<std::string> preset;
     std::optional<std::string> frames;
     std::optional<std::string> level;
+    std::string compression = "none";
     std::string device;
     std::optional<std::string> heightmap;
     std::optional<std::string> elevation;
@@ -160,6 +161,10 @@ render::Files files_of(const RenderOptions& options) {
         files.elevation = parse_elevation(*options.elevation);
     if (options.texture && options.level)
         throw RequestError("--texture and --level cannot be combined: a level is written as a plain picture");
+    if (options.texture && options.compression != "none")
+        throw RequestError(
+            "--compression cannot be combined with --texture, which programs read tile by tile");
+    files.compression = options.compression;
     if (options.texture && (files.png || files.heightmap))
         throw RequestError("--texture cannot be combined with a PNG or a heightmap: a texture is an EXR");
     return files;
@@ -185,6 +190,7 @@ void render_map_set(const RenderOptions& options) {
     if (bits != "8" && bits != "16")
         refuse("--normal-bits", bits, "8 or 16");
     render::MapFormat format{options.directx, options.texture, options.half, bits == "8" ? 8 : 16};
+    format.compression = options.compression;
     if (options.metres)
         format.metres = parse_positive("--metres", *options.metres, "a width above 0");
     Work work = make_work(options);
@@ -303,6 +309,7 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
            fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
                        "NAME.0001.exr, NAME.0002.exr ... [1]",
                        render::most_frames));
+    add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
 
     parameters("Noise", render::Parameter::Group::noise);

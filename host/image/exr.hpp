@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -26,6 +27,9 @@ struct Rect {
     bool operator==(const Rect&) const = default;
 };
 
+/// The accepted values of `ExrHeader::compression`: all lossless.
+inline constexpr std::array<std::string_view, 5> exr_compressions{"none", "rle", "zips", "zip", "piz"};
+
 /// The contents of an EXR's header.
 struct ExrHeader {
     /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level halves both sides of the previous one,
@@ -42,13 +46,13 @@ struct ExrHeader {
     std::string software = {};         ///< the program and driver; stored as `software` unless empty
     /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
     std::string colour_space = {};
+    std::string compression = "none";
     /// If set, writes a texture; the window must be the whole picture at 0, 0.
     std::optional<Texture> texture = {};
 };
 
-/// Writes a picture as 32-bit float scanlines, or a texture, without compression: zip takes seven times as
-/// long and saves 2.5 % of noise. The file appears under its name at `commit`; destroying the writer earlier
-/// leaves nothing behind and keeps an existing file.
+/// Writes a picture as 32-bit float scanlines, or a texture. The file appears under its name at `commit`;
+/// destroying the writer earlier leaves nothing behind and keeps an existing file.
 class ExrWriter {
   public:
     /// Throws RequestError for a path that cannot be created.

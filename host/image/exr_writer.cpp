@@ -3,6 +3,7 @@
 #include "image/output_file.hpp"
 
 #include <ImfChannelList.h>
+#include <ImfCompression.h>
 #include <ImfFloatAttribute.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -46,7 +47,10 @@ Imath::Box2i box(const Rect& window) {
 
 Imf::Header exr_header(const ExrHeader& description) {
     Imf::Header header(box(description.picture), box(description.window));
-    header.compression() = Imf::NO_COMPRESSION;
+    constexpr std::array methods{Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
+    header.compression() = methods[static_cast<std::size_t>(
+        std::ranges::find(exr_compressions, description.compression) - exr_compressions.begin())];
     const bool half = description.texture && description.texture->half;
     for (const std::string& channel : description.channels)
         header.channels().insert(channel, Imf::Channel(half ? Imf::HALF : Imf::FLOAT));

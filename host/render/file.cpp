@@ -73,7 +73,8 @@ image::ExrHeader exr_header(const Request& request, const image::Rect& region, c
 
 void render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                  const Files& files, const image::Advance& advance) {
-    const image::ExrHeader header = exr_header(request, region, software(device));
+    image::ExrHeader header = exr_header(request, region, software(device));
+    header.compression = files.compression;
     const std::size_t kept = header.channels.size();
     const std::size_t channels = render::channels(request, files.normals).size();
     std::optional<image::ExrWriter> exr;

@@ -41,7 +41,8 @@ struct Files {
     std::optional<Elevation> elevation = {}; ///< range of the heightmap; by default the full possible range
     /// If set, converts a band to the red, green and blue values (0 to 1) that the PNG shows.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
-    bool normals = false; ///< whether `colours` needs normals: see Viewport
+    std::string compression = "none"; ///< of the EXR: see image::exr_compressions
+    bool normals = false;             ///< whether `colours` needs normals: see Viewport
 };
 
 /// Renders `region` of a checked request to files. Calls `advance` before it writes a band; if `advance`

@@ -195,6 +195,7 @@ constexpr const char* summary_name = "material.json";
 image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format) {
     image::ExrHeader header = exr_header(request, whole_of(request), software(device));
     header.channels = map_channels;
+    header.compression = format.compression;
     if (format.texture)
         header.texture = image::ExrHeader::Texture{format.half, is_tile(request)};
     return header;

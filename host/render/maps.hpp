@@ -22,6 +22,7 @@ struct MapFormat {
     bool texture = false; ///< write mip levels to maps.exr; slopes that averaging removes become roughness
     bool half = false;    ///< store the texture as 16-bit floats
     int normal_bits = 16; ///< of normal.png; 8 bits are dithered
+    std::string compression = "none";  ///< of maps.exr: see image::exr_compressions
     std::optional<double> metres = {}; ///< the width of the maps; if not set, a terrain's extent or 1
 };
 

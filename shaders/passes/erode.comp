@@ -8,7 +8,6 @@
 #include "passes/erode_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
-#include "landscape.glsl"
 
 layout(constant_id = channels_id) const int channels = erosion_cover;
 
@@ -88,8 +87,9 @@ void main() {
     eroded[at + erosion_ridge] = terrain.ridge;
     eroded[at + erosion_added] = added;
     if (channels == erosion_cover) return;
-    vec3 layers = ground_layers((before_erosion + added - middle) / relief, terrain.ridge, length(slope));
-    vec4 cover = vec4(vec3(vec2(1.0 - layers.x, layers.x) * (1.0 - layers.y), layers.y) * (1.0 - layers.z), layers.z);
+    terrain.height = (before_erosion + added - middle) / relief;
+    terrain.slope = slope;
+    vec4 cover = gabor_ground(terrain);
     for (int i = 0; i < 4; ++i)
         eroded[at + erosion_cover + i] = has_height ? cover[i] : 0.0;
 }

@@ -31,14 +31,6 @@ vec3 normal_of(GaborTerrain here) {
     return normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
 }
 
-// How much scree covers grass, how much rock covers both where it is steep, and how much snow covers all where it is high.
-vec3 ground_layers(float height, float ridge, float steep) {
-    float scree = smoothstep(-0.3, 0.35, height + 0.1 * ridge);
-    float rock = smoothstep(0.55, 1.0, steep);
-    float snow = smoothstep(0.42, 0.62, height + 0.08 * ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
-    return vec3(scree, rock, snow);
-}
-
 // The share of pale layers in rock whose layers are level, for a pixel that spans the height `span`.
 float pale_layers(float height, float span) {
     vec2 turns = vec2(5.3, 13.7) * height, kept = exp(-4.9348022 * span * span * vec2(5.3, 13.7) * vec2(5.3, 13.7));
@@ -48,10 +40,10 @@ float pale_layers(float height, float span) {
 
 vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
     float steep = length(normal.xz) / normal.y;
-    vec3 layers = ground_layers(here.height, here.ridge, steep);
-    if (ground.cover == 0) { // grass, scree, rock and snow
-        vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145), layers.x);
-        return mix(mix(colour, vec3(0.26, 0.23, 0.205), layers.y), vec3(0.68, 0.7, 0.73), layers.z);
+    if (ground.cover == 0) {
+        vec4 share = gabor_ground(here);
+        return share.x * vec3(0.1, 0.155, 0.05) + share.y * vec3(0.3, 0.245, 0.145) + share.z * vec3(0.26, 0.23, 0.205)
+             + share.w * vec3(0.68, 0.7, 0.73);
     }
     if (ground.cover == 1) { // grass, dry where it is high or steep
         vec3 colour = mix(vec3(0.085, 0.15, 0.035), vec3(0.21, 0.2, 0.075), smoothstep(-0.4, 0.6, here.height + 0.2 * here.ridge));
@@ -59,7 +51,7 @@ vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
     }
     float pale = pale_layers(here.height, pixel * steep);
     if (ground.cover == 2) // sand below layered cliffs
-        return mix(mix(vec3(0.4, 0.25, 0.13), vec3(0.46, 0.3, 0.18), layers.x),
+        return mix(mix(vec3(0.4, 0.25, 0.13), vec3(0.46, 0.3, 0.18), smoothstep(-0.3, 0.35, here.height + 0.1 * here.ridge)),
                    mix(vec3(0.34, 0.125, 0.06), vec3(0.56, 0.33, 0.19), pale), smoothstep(0.25, 0.7, steep));
     vec3 clay = mix(vec3(0.3, 0.17, 0.13), vec3(0.5, 0.43, 0.34), pale); // layered clay above pale wash
     return mix(vec3(0.47, 0.42, 0.34), clay, smoothstep(-0.15, 0.3, steep - 0.5 - 0.3 * min(here.ridge, 0.0)));

@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 17d9736700de699b.
+// naga 30.0.1 made it from GLSL with the digest 2943c1733520ed49.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -82,15 +82,15 @@ fn gabor_boards_default() -> GaborBoards {
 // The share of a joint, `gap` wide, at distance x from its middle, and its derivative along x. The joint's edges are
 // normal distribution functions with the standard deviation 1 / scale.
 fn gabor_impl_joint(x: f32, gap: f32, scale: f32) -> vec2<f32> {
-    var t_13: vec2<f32>;
+    var t_12: vec2<f32>;
     var density_9: vec2<f32>;
-    t_13 = clamp((scale * vec2<f32>((x + (0.5f * gap)), (x - (0.5f * gap)))), vec2(-10f), vec2(10f));
-    let _e20 = t_13;
-    let _e22 = t_13;
+    t_12 = clamp((scale * vec2<f32>((x + (0.5f * gap)), (x - (0.5f * gap)))), vec2(-10f), vec2(10f));
+    let _e20 = t_12;
+    let _e22 = t_12;
     density_9 = exp(((-0.5f * _e20) * _e22));
-    let _e26 = t_13;
+    let _e26 = t_12;
     let _e28 = gabor_impl_below(_e26.x);
-    let _e29 = t_13;
+    let _e29 = t_12;
     let _e31 = gabor_impl_below(_e29.y);
     let _e35 = density_9;
     let _e37 = density_9;

@@ -7,6 +7,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//     vec4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -61,6 +62,10 @@ struct GaborErosion {
 //     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
+
+// vec4 gabor_ground(GaborTerrain terrain)
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, and scree
+//     rather than grass below ridges. Heights are those of gabor_terrain, about from -1 to 1.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2(0), p, vec2(0.0)) for a point
     gabor_ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
@@ -330,6 +335,13 @@ GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
 
 GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
     return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
+}
+
+GABOR_INLINE gabor_vec4 gabor_ground(GaborTerrain terrain) {
+    float steep = gabor_cpp_length(terrain.slope);
+    float scree = gabor_cpp_smoothstep(-0.3f, 0.35f, terrain.height + 0.1f * terrain.ridge), rock = gabor_cpp_smoothstep(0.55f, 1.0f, steep);
+    float snow = gabor_cpp_smoothstep(0.42f, 0.62f, terrain.height + 0.08f * terrain.ridge) * (1.0f - gabor_cpp_smoothstep(1.0f, 1.9f, steep));
+    return gabor_vec4((1.0f - snow) * gabor_vec3((1.0f - rock) * gabor_vec2(1.0f - scree, scree), rock), snow);
 }
 
 #endif // GABOR_EROSION_HPP

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest fbddefe383b62833.
+// naga 30.0.1 made it from GLSL with the digest a49a82e1437ef4c6.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -8,6 +8,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//     vec4f cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -51,6 +52,10 @@ struct GaborErosion {
 //     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
+
+// vec4f gabor_ground(GaborTerrain terrain)
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, and scree
+//     rather than grass below ridges. Heights are those of gabor_terrain, about from -1 to 1.
 
 struct GaborTerrainPlace {
     cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis
@@ -920,5 +925,27 @@ fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e13 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), vec2(0f), vec2(0f), base, erosion, seed);
     return _e13;
+}
+
+fn gabor_ground(terrain: GaborTerrain) -> vec4<f32> {
+    var steep_1: f32;
+    var scree: f32;
+    var rock: f32;
+    var snow: f32;
+    steep_1 = length(terrain.slope);
+    scree = smoothstep(-0.3f, 0.35f, (terrain.height + (0.1f * terrain.ridge)));
+    let _e16 = steep_1;
+    rock = smoothstep(0.55f, 1f, _e16);
+    let _e30 = steep_1;
+    snow = (smoothstep(0.42f, 0.62f, (terrain.height + (0.08f * terrain.ridge))) * (1f - smoothstep(1f, 1.9f, _e30)));
+    let _e36 = snow;
+    let _e39 = rock;
+    let _e42 = scree;
+    let _e44 = scree;
+    let _e46 = ((1f - _e39) * vec2<f32>((1f - _e42), _e44));
+    let _e47 = rock;
+    let _e51 = ((1f - _e36) * vec3<f32>(_e46.x, _e46.y, _e47));
+    let _e52 = snow;
+    return vec4<f32>(_e51.x, _e51.y, _e51.z, _e52);
 }
 

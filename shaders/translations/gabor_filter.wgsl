@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 2a272e1ee73cd25f.
+// naga 30.0.1 made it from GLSL with the digest 64522a16e8f0db14.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
@@ -222,7 +222,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var rise: f32;
     var part_1: vec2<f32>;
     var width_2: f32;
-    var t_5: vec2<f32>;
+    var t_4: vec2<f32>;
     var fade: vec2<f32>;
     var faded_1: vec2<f32>;
     var turn_6: vec2<f32>;
@@ -240,14 +240,14 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e36 = (*axis);
     let _e39 = (*axis);
     let _e45 = width_2;
-    t_5 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
-    let _e54 = t_5;
-    let _e55 = t_5;
-    let _e59 = t_5;
+    t_4 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
+    let _e54 = t_4;
+    let _e55 = t_4;
+    let _e59 = t_4;
     fade = ((_e54 * _e55) * (vec2(3f) - (2f * _e59)));
     let _e66 = width_2;
-    let _e68 = t_5;
-    let _e71 = t_5;
+    let _e68 = t_4;
+    let _e71 = t_4;
     let _e75 = fade;
     faded_1 = (((((6f / _e66) * _e68) * (vec2(1f) - _e71)) / max(_e75, vec2(0.000001f))) * vec2<f32>(-1f, 1f));
     let _e86 = (*axis);
@@ -395,7 +395,7 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     var fall: f32;
     var rise_1: f32;
     var sink: f32;
-    var t_6: f32;
+    var t_5: f32;
     var wave_11: vec3<f32>;
     var fall_4_: f32;
     var above: vec3<f32>;
@@ -456,9 +456,9 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     let _e100 = rise_1;
     sink = (1f / _e100);
     let _e103 = b_2;
-    t_6 = (_e103.reach - 2f);
-    let _e113 = t_6;
-    let _e119 = t_6;
+    t_5 = (_e103.reach - 2f);
+    let _e113 = t_5;
+    let _e119 = t_5;
     wave_11 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e130 = fall;
     let _e131 = fall;
@@ -564,15 +564,15 @@ struct GaborFilteredLine {
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> vec2<f32> {
     var d_3: f32;
-    var t_7: f32;
+    var t_6: f32;
     d_3 = (b.offset - f32(index));
     let _e8 = d_3;
-    t_7 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
-    let _e16 = t_7;
-    let _e17 = t_7;
-    let _e20 = t_7;
+    t_6 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
+    let _e16 = t_6;
+    let _e17 = t_6;
+    let _e20 = t_6;
     let _e31 = d_3;
-    let _e35 = t_7;
+    let _e35 = t_6;
     return (_e16 * vec2<f32>((_e17 * (3f - (2f * _e20))), ((-36f * sign(_e31)) * (1f - _e35))));
 }
 
@@ -755,7 +755,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var exponent_1: f32;
     var mean_1: vec2<f32>;
     var before: vec2<f32>;
-    var x_10: vec2<f32>;
+    var x_9: vec2<f32>;
     var y_6: vec2<f32>;
     var local_21: f32;
     var scale: f32;
@@ -898,7 +898,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e268 = next_x;
     let _e270 = before;
     let _e272 = next_y;
-    x_10 = (6.2831855f * (((_e264.x * _e266) + _e268) - (_e270.x * _e272)));
+    x_9 = (6.2831855f * (((_e264.x * _e266) + _e268) - (_e270.x * _e272)));
     let _e278 = mean_1;
     let _e280 = value_9;
     let _e282 = next_y;
@@ -906,9 +906,9 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e286 = next_x;
     y_6 = (6.2831855f * (((_e278.y * _e280) + _e282) - (_e284.y * _e286)));
     let _e291 = edge_x;
-    let _e292 = x_10;
-    let _e295 = x_10;
-    x_10 = (_e291 + vec2<f32>(-(_e292.y), _e295.x));
+    let _e292 = x_9;
+    let _e295 = x_9;
+    x_9 = (_e291 + vec2<f32>(-(_e292.y), _e295.x));
     let _e299 = edge_y;
     let _e300 = y_6;
     let _e303 = y_6;
@@ -926,12 +926,12 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e331 = scale;
     let _e332 = value_9;
     let _e335 = scale;
-    let _e336 = x_10;
+    let _e336 = x_9;
     let _e338 = y_6;
     let _e342 = scale;
     let _e343 = value_9;
     let _e346 = scale;
-    let _e347 = x_10;
+    let _e347 = x_9;
     let _e349 = y_6;
     return GaborField((_e331 * _e332.y), (_e335 * vec2<f32>(_e336.y, _e338.y)), (_e342 * _e343.x), (_e346 * vec2<f32>(_e347.x, _e349.x)), 0f);
 }
@@ -1125,7 +1125,7 @@ struct GaborWindows {
 // gabor_impl_filtered_node.
 fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindows, faded: vec2<f32>, s: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
     var a_6: vec2<f32>;
-    var x_11: vec2<f32>;
+    var x_10: vec2<f32>;
     var y_7: vec2<f32>;
     var even_2: vec2<f32>;
     var odd_2: vec2<f32>;
@@ -1138,19 +1138,19 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     var along_y_2: vec2<f32>;
     a_6 = a;
     let _e8 = gabor_impl_symmetric(s, wave);
-    x_11 = (19.739208f * _e8);
+    x_10 = (19.739208f * _e8);
     let _e11 = a_6;
-    let _e12 = x_11;
+    let _e12 = x_10;
     a_6 = (_e11 * exp(-(max(dot(wave, _e12), 0f))));
-    let _e19 = x_11;
-    x_11 = clamp(_e19, vec2(-3f), vec2(3f));
-    let _e26 = x_11;
-    let _e27 = x_11;
+    let _e19 = x_10;
+    x_10 = clamp(_e19, vec2(-3f), vec2(3f));
+    let _e26 = x_10;
+    let _e27 = x_10;
     y_7 = (_e26 * _e27);
     let _e31 = y_7;
     let _e34 = y_7;
     even_2 = (vec2(1f) + (_e31 * (vec2(0.5f) + (0.041666668f * _e34))));
-    let _e42 = x_11;
+    let _e42 = x_10;
     let _e44 = y_7;
     let _e47 = y_7;
     odd_2 = (_e42 * (vec2(1f) + (_e44 * (vec2(0.16666667f) + (0.008333333f * _e47)))));
@@ -1222,7 +1222,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var fall_1: vec2<f32>;
     var width_3: vec2<f32>;
     var salt_9: u32;
-    var x_12: GaborAxis;
+    var x_11: GaborAxis;
     var y_8: GaborAxis;
     var sum_14: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_4: i32 = 0i;
@@ -1230,7 +1230,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var i_7: i32;
     var d_5: vec2<f32>;
     var star_2: GaborStar;
-    var t_8: vec2<f32>;
+    var t_7: vec2<f32>;
     var fade_3: vec2<f32>;
     var change: vec2<f32>;
     var cosine: vec2<f32>;
@@ -1294,7 +1294,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     salt_9 = _e132;
     let _e140 = salt_9;
     let _e146 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e140, 0f, 1.5f);
-    x_12 = _e146;
+    x_11 = _e146;
     let _e154 = salt_9;
     let _e162 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e154 ^ 1540483477u), 0f, 1.5f);
     y_8 = _e162;
@@ -1315,13 +1315,13 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     break;
                 }
                 {
-                    let _e197 = x_12;
+                    let _e197 = x_11;
                     let _e199 = i_7;
                     let _e204 = y_8;
                     let _e206 = j_4;
                     d_5 = (vec2<f32>((_e197.offset - f32((_e199 - 1i))), (_e204.offset - f32((_e206 - 1i)))) / vec2(1.5f));
                     let _e219 = i_7;
-                    let _e222 = x_12.word[_e219];
+                    let _e222 = x_11.word[_e219];
                     let _e223 = row_5;
                     let _e225 = unit_4;
                     let _e226 = d_5;
@@ -1329,19 +1329,19 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     star_2 = _e229;
                     let _e232 = d_5;
                     let _e236 = width_3;
-                    t_8 = clamp(((vec2(1f) - abs(_e232)) / _e236), vec2(0f), vec2(1f));
-                    let _e244 = t_8;
-                    let _e245 = t_8;
-                    let _e249 = t_8;
+                    t_7 = clamp(((vec2(1f) - abs(_e232)) / _e236), vec2(0f), vec2(1f));
+                    let _e244 = t_7;
+                    let _e245 = t_7;
+                    let _e249 = t_7;
                     fade_3 = ((_e244 * _e245) * (vec2(3f) - (2f * _e249)));
                     let _e257 = width_3;
-                    let _e260 = t_8;
-                    let _e263 = t_8;
+                    let _e260 = t_7;
+                    let _e263 = t_7;
                     let _e267 = d_5;
                     change = ((((vec2(-6f) / _e257) * _e260) * (vec2(1f) - _e263)) * sign(_e267));
                     let _e271 = fall_1;
                     let _e272 = i_7;
-                    let _e275 = x_12.node[_e272];
+                    let _e275 = x_11.node[_e272];
                     let _e277 = j_4;
                     let _e280 = y_8.node[_e277];
                     cosine = (_e271 * (vec2<f32>(_e275.x, _e280.x) - vec2(0.5f)));
@@ -1351,7 +1351,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     let _e294 = fade_3;
                     let _e295 = fall_1;
                     let _e297 = i_7;
-                    let _e300 = x_12.node[_e297];
+                    let _e300 = x_11.node[_e297];
                     let _e302 = j_4;
                     let _e305 = y_8.node[_e302];
                     node_2 = GaborWindows((0.5f * _e289), (_e291 * _e292), ((_e294 * _e295) * vec2<f32>(_e300.z, _e305.z)));

@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b25d4a93ddec6a53.
+// naga 30.0.1 made it from GLSL with the digest 99650e522c596d94.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -89,7 +89,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var d_8: vec3<f32>;
     var pairs: vec3<f32>;
     var w_3: vec3<f32>;
-    var x_18: GaborFilteredAxis;
+    var x_17: GaborFilteredAxis;
     var y_15: GaborFilteredAxis;
     var z_8: GaborFilteredAxis;
     var columns_5: GaborColumns;
@@ -152,7 +152,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e72 = c_6;
     let _e86 = gabor_impl_wave((wave.x / 1.5f));
     let _e87 = gabor_impl_filtered_axis(sqrt(s.diagonal.x), _e70.x, _e72.x, place.cell.x, place.local.x, place.period.x, salt, _e86);
-    x_18 = _e87;
+    x_17 = _e87;
     let _e92 = d_8;
     let _e94 = c_6;
     let _e110 = gabor_impl_wave((wave.y / 1.5f));
@@ -163,7 +163,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e134 = gabor_impl_wave((wave.z / 1.5f));
     let _e135 = gabor_impl_filtered_axis(sqrt(s.diagonal.z), _e116.z, _e118.z, place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), _e134);
     z_8 = _e135;
-    let _e137 = x_18;
+    let _e137 = x_17;
     let _e138 = gabor_impl_columns(_e137);
     columns_5 = _e138;
     let _e140 = y_15;
@@ -172,7 +172,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e149 = gabor_impl_line_before(_e140, vec2<f32>(_e141.back.x, -(_e144.back.y)));
     first_3 = _e149;
     let _e151 = z_8;
-    let _e152 = x_18;
+    let _e152 = x_17;
     let _e154 = y_15;
     let _e156 = z_8;
     let _e167 = gabor_impl_wave((dot(wave, vec3<f32>(_e152.offset, _e154.offset, (_e156.offset + 1f))) / 1.5f));
@@ -483,7 +483,7 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<func
 // The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
 // loop whose length it does not know much faster than three calls.
 fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, wanted: bool, salt: u32) -> GaborField3d {
-    var x_20: GaborAxis;
+    var x_19: GaborAxis;
     var y_17: GaborAxis;
     var z_10: GaborAxis;
     var turn_15: vec2<f32>;
@@ -495,13 +495,13 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     var slices_1: i32;
     var k_4: i32 = 0i;
     let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    x_20 = _e16;
+    x_19 = _e16;
     let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
     y_17 = _e31;
     let _e46 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
     z_10 = _e46;
-    let _e48 = x_20;
-    let _e50 = x_20;
+    let _e48 = x_19;
+    let _e50 = x_19;
     let _e53 = y_17;
     let _e55 = y_17;
     let _e59 = z_10;
@@ -511,7 +511,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     let _e67 = gabor_impl_symmetric_3d(pixel, wave);
     blurred_4 = _e67;
     let _e73 = blurred_4;
-    gabor_impl_filter((&x_20), pixel.diagonal.x, _e73.x, (&unused));
+    gabor_impl_filter((&x_19), pixel.diagonal.x, _e73.x, (&unused));
     let _e81 = blurred_4;
     gabor_impl_filter((&y_17), pixel.diagonal.y, _e81.y, (&unused));
     let _e89 = blurred_4;
@@ -530,7 +530,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
             break;
         }
         {
-            let _e116 = x_20;
+            let _e116 = x_19;
             let _e117 = y_17;
             let _e118 = z_10;
             gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e116, _e117, _e118, pixel.mixed, place.moment);
@@ -722,22 +722,22 @@ struct GaborFilteredNode {
 
 fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredNode {
     var width_4: f32;
-    var t_9: f32;
+    var t_8: f32;
     var fade_4: f32;
     var fall_2: f32;
     var faded_4: f32;
     width_4 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
     let _e13 = width_4;
-    t_9 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
-    let _e19 = t_9;
-    let _e20 = t_9;
-    let _e24 = t_9;
+    t_8 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
+    let _e19 = t_8;
+    let _e20 = t_8;
+    let _e24 = t_8;
     fade_4 = ((_e19 * _e20) * (3f - (2f * _e24)));
     let _e29 = fade_4;
     fall_2 = (_e29 * exp((-4.934802f * variance)));
     let _e38 = width_4;
-    let _e40 = t_9;
-    let _e43 = t_9;
+    let _e40 = t_8;
+    let _e43 = t_8;
     let _e49 = fade_4;
     faded_4 = (((((-6f / _e38) * _e40) * (1f - _e43)) * sign(node.offset)) / max(_e49, 0.000001f));
     let _e56 = fade_4;
@@ -981,7 +981,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var s_9: vec3<f32>;
     var scale_5: vec3<f32>;
     var salt_15: u32;
-    var x_23: GaborAxis;
+    var x_22: GaborAxis;
     var y_20: GaborAxis;
     var z_13: GaborAxis;
     var x_0_: GaborFilteredNode;
@@ -1039,24 +1039,24 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     salt_15 = _e77;
     let _e85 = salt_15;
     let _e91 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e85, 0f, 1.5f);
-    x_23 = _e91;
+    x_22 = _e91;
     let _e99 = salt_15;
     let _e107 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e99 ^ 1540483477u), 0f, 1.5f);
     y_20 = _e107;
     let _e115 = salt_15;
     let _e123 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e115 ^ 668265263u), 0f, 1.5f);
     z_13 = _e123;
-    let _e125 = x_23;
+    let _e125 = x_22;
     let _e127 = gabor_impl_node(_e125, 0i);
     let _e128 = s_9;
     let _e130 = gabor_impl_filtered_node_3d(_e127, _e128.x);
     x_0_ = _e130;
-    let _e132 = x_23;
+    let _e132 = x_22;
     let _e134 = gabor_impl_node(_e132, 1i);
     let _e135 = s_9;
     let _e137 = gabor_impl_filtered_node_3d(_e134, _e135.x);
     x_1_ = _e137;
-    let _e139 = x_23;
+    let _e139 = x_22;
     let _e141 = gabor_impl_node(_e139, 2i);
     let _e142 = s_9;
     let _e144 = gabor_impl_filtered_node_3d(_e141, _e142.x);
@@ -1092,7 +1092,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e198 = z_k_1;
             let _e199 = scale_5;
             let _e201 = pixel_9;
-            let _e205 = x_23.word[0];
+            let _e205 = x_22.word[0];
             let _e206 = row_11;
             gabor_impl_add_filtered_waves_3d((&sum_34), _e196, _e197, _e198, _e199, place.moment, _e201, tangents, _e205, _e206);
             let _e209 = x_1_;
@@ -1100,7 +1100,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e211 = z_k_1;
             let _e212 = scale_5;
             let _e214 = pixel_9;
-            let _e218 = x_23.word[1];
+            let _e218 = x_22.word[1];
             let _e219 = row_11;
             gabor_impl_add_filtered_waves_3d((&sum_34), _e209, _e210, _e211, _e212, place.moment, _e214, tangents, _e218, _e219);
             let _e222 = x_2_;
@@ -1108,7 +1108,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e224 = z_k_1;
             let _e225 = scale_5;
             let _e227 = pixel_9;
-            let _e231 = x_23.word[2];
+            let _e231 = x_22.word[2];
             let _e232 = row_11;
             gabor_impl_add_filtered_waves_3d((&sum_34), _e222, _e223, _e224, _e225, place.moment, _e227, tangents, _e231, _e232);
         }

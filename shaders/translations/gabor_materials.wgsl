@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 796f8e05bac3b15c.
+// naga 30.0.1 made it from GLSL with the digest 678da4d3572f6044.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -325,7 +325,7 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     var salt_11: u32;
     var columns_5: vec3<u32>;
     var rows_3: vec3<u32>;
-    var x_15: vec4<f32>;
+    var x_14: vec4<f32>;
     var y_11: vec4<f32>;
     var slope_x_1: vec4<f32>;
     var slope_y_1: vec4<f32>;
@@ -348,26 +348,26 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     let _e46 = gabor_impl_three_line_words(((place.cell.y + i32(_e35.y)) - 1i), place.period.y, (_e43 ^ 1540483477u));
     rows_3 = _e46;
     let _e52 = offset;
-    gabor_impl_windows(_e52.x, (&x_15), (&slope_x_1));
+    gabor_impl_windows(_e52.x, (&x_14), (&slope_x_1));
     let _e58 = offset;
     gabor_impl_windows(_e58.y, (&y_11), (&slope_y_1));
     let _e72 = columns_5;
     let _e73 = rows_3;
-    let _e76 = x_15;
+    let _e76 = x_14;
     let _e77 = slope_x_1;
     let _e78 = y_11;
     let _e80 = slope_y_1;
     gabor_impl_add_spots((&value_12), (&slope_10), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
     let _e86 = columns_5;
     let _e87 = rows_3;
-    let _e90 = x_15;
+    let _e90 = x_14;
     let _e91 = slope_x_1;
     let _e92 = y_11;
     let _e94 = slope_y_1;
     gabor_impl_add_spots((&value_12), (&slope_10), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
     let _e100 = columns_5;
     let _e101 = rows_3;
-    let _e104 = x_15;
+    let _e104 = x_14;
     let _e105 = slope_x_1;
     let _e106 = y_11;
     let _e108 = slope_y_1;
@@ -442,7 +442,7 @@ fn gabor_impl_warp(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>, ampli
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     var turn_10: vec2<f32>;
-    var x_16: vec2<f32>;
+    var x_15: vec2<f32>;
     var y_12: vec2<f32>;
     var period_8: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
@@ -457,7 +457,7 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     let _e4 = gabor_impl_wave((0.15915494f * angle));
     turn_10 = _e4;
     let _e6 = turn_10;
-    x_16 = _e6;
+    x_15 = _e6;
     let _e8 = turn_10;
     let _e11 = turn_10;
     y_12 = vec2<f32>(-(_e8.y), _e11.x);
@@ -528,18 +528,18 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
             let _e128 = period_8;
             let _e130 = other;
             let _e132 = other;
-            x_16 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / at.period);
+            x_15 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / at.period);
             let _e139 = period_8;
             let _e141 = whole;
             let _e144 = whole;
             y_12 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / at.period);
         }
     }
-    let _e150 = x_16;
+    let _e150 = x_15;
     let _e153 = y_12;
-    let _e157 = x_16;
+    let _e157 = x_15;
     let _e160 = y_12;
-    let _e164 = x_16;
+    let _e164 = x_15;
     let _e167 = y_12;
     let _e171 = period_8;
     return GaborWarped(vec2<f32>(dot(_e150, at.p), dot(_e153, at.p)), vec2<f32>(dot(_e157, at.x), dot(_e160, at.x)), vec2<f32>(dot(_e164, at.y), dot(_e167, at.y)), _e171);
@@ -632,15 +632,15 @@ fn gabor_impl_no_pairs() -> GaborPairs {
 }
 
 fn gabor_impl_pair(layer: GaborLayer, field: GaborField, lost: vec3<f32>) -> GaborPair {
-    var x_17: vec2<f32>;
+    var x_16: vec2<f32>;
     var y_13: vec2<f32>;
-    x_17 = (layer.density * layer.at.x);
+    x_16 = (layer.density * layer.at.x);
     y_13 = (layer.density * layer.at.y);
-    let _e15 = x_17;
+    let _e15 = x_16;
     let _e18 = y_13;
-    let _e23 = x_17;
+    let _e23 = x_16;
     let _e26 = y_13;
-    let _e30 = x_17;
+    let _e30 = x_16;
     let _e31 = y_13;
     let _e32 = gabor_impl_turned_square(lost, _e30, _e31);
     return GaborPair(vec3<f32>(field.quadrature, dot(field.quadrature_gradient, _e15), dot(field.quadrature_gradient, _e18)), vec3<f32>(field.noise, dot(field.gradient, _e23), dot(field.gradient, _e26)), field.removed, _e32);
@@ -697,7 +697,7 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     var offset_1: f32;
     var damped_1: f32;
     var width_4: f32;
-    var t_9: vec2<f32>;
+    var t_8: vec2<f32>;
     var fade_5: vec2<f32>;
     var change_1: vec2<f32>;
     var value_14: vec4<f32>;
@@ -710,14 +710,14 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     let _e30 = offset_1;
     let _e32 = offset_1;
     let _e37 = width_4;
-    t_9 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
-    let _e46 = t_9;
-    let _e47 = t_9;
-    let _e51 = t_9;
+    t_8 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
+    let _e46 = t_8;
+    let _e47 = t_8;
+    let _e51 = t_8;
     fade_5 = ((_e46 * _e47) * (vec2(3f) - (2f * _e51)));
     let _e58 = width_4;
-    let _e60 = t_9;
-    let _e63 = t_9;
+    let _e60 = t_8;
+    let _e63 = t_8;
     change_1 = ((((6f / _e58) * _e60) * (vec2(1f) - _e63)) * vec2<f32>(-1f, 1f));
     let _e75 = offset_1;
     gabor_impl_windows(_e75, (&value_14), (&slope_12));
@@ -862,7 +862,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var w: vec3<f32>;
     var sum_18: vec2<f32>;
     var before_1: vec2<f32>;
-    var x_20: vec2<f32>;
+    var x_19: vec2<f32>;
     var y_16: vec2<f32>;
     var local_33: f32;
     var scale_2: f32;
@@ -999,7 +999,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e289 = next_x_1;
     let _e290 = before_1;
     let _e292 = next_y_1;
-    x_20 = (_e287 - (6.2831855f * (_e289 - (_e290.x * _e292))));
+    x_19 = (_e287 - (6.2831855f * (_e289 - (_e290.x * _e292))));
     let _e298 = edge_y_1;
     let _e300 = next_y_1;
     let _e301 = before_1;
@@ -1017,36 +1017,36 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e329 = scale_2;
     let _e330 = value_15;
     let _e333 = scale_2;
-    let _e334 = x_20;
+    let _e334 = x_19;
     let _e336 = y_16;
     let _e340 = scale_2;
     let _e341 = value_15;
     let _e344 = scale_2;
-    let _e345 = x_20;
+    let _e345 = x_19;
     let _e347 = y_16;
     return GaborField((_e329 * _e330.y), (_e333 * vec2<f32>(_e334.y, _e336.y)), (_e340 * _e341.x), (_e344 * vec2<f32>(_e345.x, _e347.x)), 0f);
 }
 
 fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborField {
-    var x_21: GaborSpotsAxis;
+    var x_20: GaborSpotsAxis;
     var y_17: GaborSpotsAxis;
     var sum_19: vec4<f32> = vec4(0f);
     var along_y_5: vec2<f32> = vec2(0f);
     var local_34: f32;
     var scale_3: f32;
     let _e10 = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    x_21 = _e10;
+    x_20 = _e10;
     let _e21 = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), s.y);
     y_17 = _e21;
-    let _e31 = x_21;
+    let _e31 = x_20;
     let _e32 = y_17;
     let _e35 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e31, _e32.word.x, _e35.first, s.z);
-    let _e42 = x_21;
+    let _e42 = x_20;
     let _e43 = y_17;
     let _e46 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e42, _e43.word.y, _e46.middle, s.z);
-    let _e53 = x_21;
+    let _e53 = x_20;
     let _e54 = y_17;
     let _e57 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e53, _e54.word.z, _e57.last, s.z);
@@ -1237,31 +1237,31 @@ fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborL
 
 // The normal distribution function, within 2e-5.
 fn gabor_impl_below(x: f32) -> f32 {
-    var x_23: f32;
-    x_23 = x;
-    let _e2 = x_23;
-    x_23 = clamp(_e2, -8f, 8f);
-    let _e9 = x_23;
-    let _e12 = x_23;
-    let _e13 = x_23;
-    let _e17 = x_23;
-    let _e19 = x_23;
+    var x_22: f32;
+    x_22 = x;
+    let _e2 = x_22;
+    x_22 = clamp(_e2, -8f, 8f);
+    let _e9 = x_22;
+    let _e12 = x_22;
+    let _e13 = x_22;
+    let _e17 = x_22;
+    let _e19 = x_22;
     return (1f / (1f + exp2((-(_e9) * (2.301726f + ((_e12 * _e13) * (0.1061787f - ((0.00091164f * _e17) * _e19))))))));
 }
 
 // A soft threshold: the normal distribution function of (noise - threshold) / softness.
 fn gabor_impl_above(noise: vec3<f32>, removed: f32, threshold: f32, softness: f32) -> vec3<f32> {
     var scale_4: f32;
-    var x_24: f32;
+    var x_23: f32;
     scale_4 = inverseSqrt(((softness * softness) + removed));
     let _e8 = scale_4;
     let _e11 = scale_4;
-    x_24 = ((_e8 * noise.x) - (_e11 * threshold));
-    let _e15 = x_24;
+    x_23 = ((_e8 * noise.x) - (_e11 * threshold));
+    let _e15 = x_23;
     let _e16 = gabor_impl_below(_e15);
     let _e18 = scale_4;
-    let _e22 = x_24;
-    let _e23 = x_24;
+    let _e22 = x_23;
+    let _e23 = x_23;
     let _e31 = (((0.3989423f * _e18) * exp((-0.5f * min((_e22 * _e23), 100f)))) * noise.yz);
     return vec3<f32>(_e16, _e31.x, _e31.y);
 }
@@ -1410,42 +1410,42 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
 // The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
 // gabor_impl_ends_at. `phase` is in turns.
 fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
-    var ends_4: vec3<f32>;
-    var turns_4: vec2<f32>;
-    var t_10: vec2<f32>;
+    var ends_3: vec3<f32>;
+    var turns_3: vec2<f32>;
+    var t_9: vec2<f32>;
     var integral: vec2<f32>;
     var mean_6: f32;
     var change_2: f32;
     var widen: f32;
     let _e4 = gabor_impl_ends_at(phase.x, span.x);
-    ends_4 = _e4;
-    let _e6 = ends_4;
-    turns_4 = floor(_e6.xy);
-    let _e10 = ends_4;
-    let _e12 = turns_4;
-    t_10 = (_e10.xy - _e12);
-    let _e16 = turns_4;
-    let _e17 = t_10;
-    let _e18 = t_10;
-    let _e20 = t_10;
+    ends_3 = _e4;
+    let _e6 = ends_3;
+    turns_3 = floor(_e6.xy);
+    let _e10 = ends_3;
+    let _e12 = turns_3;
+    t_9 = (_e10.xy - _e12);
+    let _e16 = turns_3;
+    let _e17 = t_9;
+    let _e18 = t_9;
+    let _e20 = t_9;
     integral = (0.33333334f * (_e16 + ((_e17 * _e18) * _e20)));
-    let _e25 = ends_4;
+    let _e25 = ends_3;
     let _e27 = integral;
     let _e29 = integral;
     mean_6 = (_e25.z * (_e27.y - _e29.x));
-    let _e34 = ends_4;
-    let _e36 = t_10;
-    let _e38 = t_10;
-    let _e41 = t_10;
-    let _e43 = t_10;
+    let _e34 = ends_3;
+    let _e36 = t_9;
+    let _e38 = t_9;
+    let _e41 = t_9;
+    let _e43 = t_9;
     change_2 = (_e34.z * ((_e36.y * _e38.y) - (_e41.x * _e43.x)));
-    let _e49 = ends_4;
-    let _e52 = t_10;
-    let _e54 = t_10;
-    let _e57 = t_10;
-    let _e59 = t_10;
+    let _e49 = ends_3;
+    let _e52 = t_9;
+    let _e54 = t_9;
+    let _e57 = t_9;
+    let _e59 = t_9;
     let _e64 = mean_6;
-    let _e69 = ends_4;
+    let _e69 = ends_3;
     widen = ((_e49.z * ((0.5f * ((_e52.y * _e54.y) + (_e57.x * _e59.x))) - _e64)) * (-0.5f / (_e69.z * max((1f - span.x), 0.001f))));
     let _e80 = mean_6;
     let _e81 = change_2;
@@ -1458,9 +1458,9 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
 // the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
 // -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
 fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
-    var ends_5: vec3<f32>;
-    var turns_5: vec2<f32>;
-    var t_11: vec2<f32>;
+    var ends_4: vec3<f32>;
+    var turns_4: vec2<f32>;
+    var t_10: vec2<f32>;
     var w_1: f32;
     var rise_2: f32;
     var risen: f32;
@@ -1468,12 +1468,12 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     var integral_1: vec2<f32>;
     var change_3: f32;
     let _e3 = gabor_impl_ends_at(phase, span);
-    ends_5 = _e3;
-    let _e5 = ends_5;
-    turns_5 = floor(_e5.xy);
-    let _e9 = ends_5;
-    let _e11 = turns_5;
-    t_11 = (_e9.xy - _e11);
+    ends_4 = _e3;
+    let _e5 = ends_4;
+    turns_4 = floor(_e5.xy);
+    let _e9 = ends_4;
+    let _e11 = turns_4;
+    t_10 = (_e9.xy - _e11);
     let _e16 = gabor_impl_ends_at(0f, full);
     w_1 = (1f / _e16.z);
     let _e21 = w_1;
@@ -1489,20 +1489,20 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     let _e45 = w_1;
     fallen = ((_e38 * _e39) * ((1f / _e42) + (0.33333334f * _e45)));
     let _e50 = risen;
-    let _e51 = turns_5;
-    let _e52 = t_11;
-    let _e53 = t_11;
-    let _e55 = t_11;
+    let _e51 = turns_4;
+    let _e52 = t_10;
+    let _e53 = t_10;
+    let _e55 = t_10;
     let _e59 = fallen;
-    let _e60 = turns_5;
+    let _e60 = turns_4;
     integral_1 = ((_e50 * (_e51 + ((_e52 * _e53) * _e55))) + (_e59 * _e60));
-    let _e64 = ends_5;
-    let _e66 = t_11;
-    let _e68 = t_11;
-    let _e71 = t_11;
-    let _e73 = t_11;
+    let _e64 = ends_4;
+    let _e66 = t_10;
+    let _e68 = t_10;
+    let _e71 = t_10;
+    let _e73 = t_10;
     change_3 = (_e64.z * ((_e66.y * _e68.y) - (_e71.x * _e73.x)));
-    let _e79 = ends_5;
+    let _e79 = ends_4;
     let _e81 = integral_1;
     let _e83 = integral_1;
     let _e87 = change_3;
@@ -1512,13 +1512,13 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
 
 // A smoothstep from `low` to `high`.
 fn gabor_impl_step(low: f32, high: f32, x: vec3<f32>) -> vec3<f32> {
-    var t_12: f32;
-    t_12 = clamp(((x.x - low) / (high - low)), 0f, 1f);
-    let _e11 = t_12;
-    let _e12 = t_12;
-    let _e16 = t_12;
-    let _e21 = t_12;
-    let _e24 = t_12;
+    var t_11: f32;
+    t_11 = clamp(((x.x - low) / (high - low)), 0f, 1f);
+    let _e11 = t_11;
+    let _e12 = t_11;
+    let _e16 = t_11;
+    let _e21 = t_11;
+    let _e24 = t_11;
     let _e30 = ((((6f * _e21) * (1f - _e24)) / (high - low)) * x.yz);
     return vec3<f32>(((_e11 * _e12) * (3f - (2f * _e16))), _e30.x, _e30.y);
 }
@@ -1805,12 +1805,12 @@ fn gabor_impl_threads(pixel: GaborPixel, fabric: GaborFabric) -> vec2<f32> {
 
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
-    var x_28: f32;
+    var x_27: f32;
     var local_45: f32;
     var local_46: f32;
-    x_28 = x;
+    x_27 = x;
     if (weave < 0.5f) {
-        let _e7 = x_28;
+        let _e7 = x_27;
         if (fract((0.5f * (_e7 + y))) > 0.25f) {
             local_45 = -1f;
         } else {
@@ -1820,10 +1820,10 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
         return _e17;
     }
     if (weave > 1.5f) {
-        let _e22 = x_28;
-        x_28 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
+        let _e22 = x_27;
+        x_27 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
     }
-    let _e32 = x_28;
+    let _e32 = x_27;
     if (fract(((0.25f * (_e32 + y)) + 0.125f)) < 0.5f) {
         local_46 = 1f;
     } else {
@@ -1895,7 +1895,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var samples: i32;
     var i_13: i32 = 0i;
     var offset_3: vec2<f32>;
-    var x_29: vec3<f32>;
+    var x_28: vec3<f32>;
     var y_20: vec3<f32>;
     var thread: vec2<f32>;
     var over: f32;
@@ -1969,17 +1969,17 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e115 = at_x;
             let _e116 = offset_3;
             let _e117 = gabor_impl_moved(_e115, _e116);
-            x_29 = _e117;
+            x_28 = _e117;
             let _e119 = at_y;
             let _e120 = offset_3;
             let _e121 = gabor_impl_moved(_e119, _e120);
             y_20 = _e121;
-            let _e123 = x_29;
+            let _e123 = x_28;
             let _e125 = y_20;
             thread = floor(vec2<f32>(_e123.x, _e125.x));
-            let _e131 = x_29;
+            let _e131 = x_28;
             let _e133 = thread;
-            x_29.x = (_e131.x - (_e133.x + 0.5f));
+            x_28.x = (_e131.x - (_e133.x + 0.5f));
             let _e139 = y_20;
             let _e141 = thread;
             y_20.x = (_e139.x - (_e141.y + 0.5f));
@@ -2001,7 +2001,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             level_y = (_e153 == _e169);
             let _e172 = over;
             let _e173 = thread;
-            let _e175 = x_29;
+            let _e175 = x_28;
             if (_e175.x < 0f) {
                 local_51 = -1f;
             } else {
@@ -2011,7 +2011,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             let _e185 = thread;
             let _e188 = gabor_impl_over((_e173.x + _e183), _e185.y, fabric.weave);
             level_x = (_e172 == _e188);
-            let _e191 = x_29;
+            let _e191 = x_28;
             let _e197 = uneven;
             let _e203 = y_20;
             let _e204 = over;
@@ -2020,7 +2020,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
             along_y_6 = _e206;
             let _e208 = y_20;
             let _e214 = uneven;
-            let _e220 = x_29;
+            let _e220 = x_28;
             let _e221 = over;
             let _e223 = level_x;
             let _e224 = gabor_impl_thread(_e208, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e214) * of_.b.second)), _e220, -(_e221), _e223);
@@ -2244,7 +2244,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var samples_1: i32;
     var i_15: i32 = 0i;
     var offset_4: vec2<f32>;
-    var x_30: vec3<f32>;
+    var x_29: vec3<f32>;
     var y_21: vec3<f32>;
     var turn_14: f32;
     var first_4: bool;
@@ -2293,17 +2293,17 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
             let _e73 = at_x_1;
             let _e74 = offset_4;
             let _e75 = gabor_impl_moved(_e73, _e74);
-            x_30 = _e75;
+            x_29 = _e75;
             let _e77 = at_y_1;
             let _e78 = offset_4;
             let _e79 = gabor_impl_moved(_e77, _e78);
             y_21 = _e79;
-            let _e83 = x_30;
+            let _e83 = x_29;
             let _e86 = y_21;
             turn_14 = ((4f * fract(((0.25f * (floor(_e83.x) + floor(_e86.x))) + 0.125f))) - 0.5f);
-            let _e99 = x_30;
-            let _e101 = x_30;
-            x_30.x = (_e99.x - floor(_e101.x));
+            let _e99 = x_29;
+            let _e101 = x_29;
+            x_29.x = (_e99.x - floor(_e101.x));
             let _e106 = y_21;
             let _e108 = y_21;
             y_21.x = (_e106.x - floor(_e108.x));
@@ -2314,14 +2314,14 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
                 let _e118 = y_21;
                 local_56 = _e118;
             } else {
-                let _e119 = x_30;
+                let _e119 = x_29;
                 local_56 = _e119;
             }
             let _e121 = local_56;
             along_3 = (0.5f * _e121);
             let _e125 = first_4;
             if _e125 {
-                let _e126 = x_30;
+                let _e126 = x_29;
                 local_57 = _e126;
             } else {
                 let _e127 = y_21;

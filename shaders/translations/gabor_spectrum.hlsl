@@ -114,9 +114,6 @@ struct GaborLobes {
 // float gabor_profile_pulse(float2 stripes, float duty)
 //     1 for the first `duty` (0 to 1) of each turn, then 0.
 
-// float gabor_profile_ridges(float2 stripes)
-//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
-
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
@@ -349,16 +346,6 @@ float gabor_impl_pulse_integral(float x, float duty) {
 float gabor_profile_pulse(float2 stripes, float duty) {
     float3 ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
-}
-
-float gabor_impl_ridges_integral(float x) {
-    float turns = floor(x), t = x - turns;
-    return 0.66666667 * turns + t * t * (2.0 - 1.3333333 * t);
-}
-
-float gabor_profile_ridges(float2 stripes) {
-    float3 ends = gabor_impl_ends(stripes);
-    return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
 #endif // GABOR_SPECTRUM_HLSL

@@ -107,9 +107,6 @@ struct GaborLobes {
 // float gabor_profile_pulse(vec2 stripes, float duty)
 //     1 for the first `duty` (0 to 1) of each turn, then 0.
 
-// float gabor_profile_ridges(vec2 stripes)
-//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
-
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
@@ -331,16 +328,6 @@ GABOR_INLINE float gabor_impl_pulse_integral(float x, float duty) {
 GABOR_INLINE float gabor_profile_pulse(gabor_vec2 stripes, float duty) {
     gabor_vec3 ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
-}
-
-GABOR_INLINE float gabor_impl_ridges_integral(float x) {
-    float turns = gabor_cpp_floor(x), t = x - turns;
-    return 0.66666667f * turns + t * t * (2.0f - 1.3333333f * t);
-}
-
-GABOR_INLINE float gabor_profile_ridges(gabor_vec2 stripes) {
-    gabor_vec3 ends = gabor_impl_ends(stripes);
-    return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
 #endif // GABOR_SPECTRUM_HPP

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e08689e867de1d0f.
+// naga 30.0.1 made it from GLSL with the digest 29b9c2e47c3d9b2f.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -90,9 +90,6 @@ struct GaborLobes {
 
 // f32 gabor_profile_pulse(vec2f stripes, f32 duty)
 //     1 for the first `duty` (0 to 1) of each turn, then 0.
-
-// f32 gabor_profile_ridges(vec2f stripes)
-//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
 
 // ====================================================================================================================
 // Private implementation
@@ -676,30 +673,5 @@ fn gabor_profile_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
     let _e9 = ends_2;
     let _e11 = gabor_impl_pulse_integral(_e9.x, duty);
     return (_e4.z * (_e8 - _e11));
-}
-
-fn gabor_impl_ridges_integral(x: f32) -> f32 {
-    var turns_3: f32;
-    var t_4: f32;
-    turns_3 = floor(x);
-    let _e3 = turns_3;
-    t_4 = (x - _e3);
-    let _e7 = turns_3;
-    let _e9 = t_4;
-    let _e10 = t_4;
-    let _e14 = t_4;
-    return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
-}
-
-fn gabor_profile_ridges(stripes: vec2<f32>) -> f32 {
-    var ends_3: vec3<f32>;
-    let _e1 = gabor_impl_ends(stripes);
-    ends_3 = _e1;
-    let _e3 = ends_3;
-    let _e5 = ends_3;
-    let _e7 = gabor_impl_ridges_integral(_e5.y);
-    let _e8 = ends_3;
-    let _e10 = gabor_impl_ridges_integral(_e8.x);
-    return (_e3.z * (_e7 - _e10));
 }
 

@@ -31,12 +31,12 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
-                              "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
+                              "--png", "--compression", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover", "--boards",
                               "--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude",
                               "--maps", "--metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
-                             "--gully-width", "--nodata", "--seed", "--tileable", "--device"),
+                             "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
@@ -73,7 +73,7 @@ class Help(ProgramTest):
                  **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
                  **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": ["--view=terrain"], "--cover": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
-        for command, number in ("render", 36), ("erode", 17):
+        for command, number in ("render", 37), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             for option, value, view in found:

@@ -235,6 +235,32 @@ class Noise(RenderTest):
         self.render(size="16x16", scale=8, frequency=4.1, orientation=45) # within the limit on both axes
 
 
+class Compression(RenderTest):
+    def test_pixels_are_those_of_an_uncompressed_file(self):
+        """`join`, which writes without compression, reads back what other programs would."""
+        write_exr(self.folder / "map.exr", {"Y": np.pad(np.random.default_rng(1).random((40, 40), "f4"), ((0, 80), (0, 80)))})
+        for command in (["render", "--view=landscape", "--scale=8", "--size=96x64"], ["erode", "map.exr", "--extent=10", "--nodata=0"],
+                        ["render", "--material=zebra", "--size=64x64", "--maps=maps"]):
+            output = [] if "--maps=maps" in command else ["-o", "plain.exr"]
+            self.succeed(*command, *output)
+            path = self.folder / (output[1] if output else "maps/maps.exr")
+            plain, size = Exr(path).channels, path.stat().st_size
+            for number, name in enumerate(("none", "rle", "zips", "zip", "piz")):
+                with self.subTest(command=command, compression=name):
+                    self.succeed(*command, *output, f"--compression={name}")
+                    data = path.read_bytes()
+                    self.assertIn(b"compression\0compression\0\1\0\0\0" + bytes([number]), data)
+                    self.assertLess(len(data), size if number else size + 1)
+                    if output:
+                        self.succeed("join", path.name, "-o", "joined.exr")
+                        for channel, values in Exr(self.folder / "joined.exr").channels.items():
+                            np.testing.assert_array_equal(values, plain[channel], channel)
+
+    def test_only_lossless_methods_and_not_for_textures(self):
+        self.assert_refused(["--compression 'dwaa'", "none, rle, zips, zip, piz"], "render", "-o", "out.exr", "--compression=dwaa")
+        self.assert_refused(["--texture"], "render", "-o", "out.exr", "--texture", "--size=64x64", "--compression=zip")
+
+
 class Messages(RenderTest):
     def devices(self):
         return re.findall(r"^(\d+)  (.+)$", self.succeed("devices"), re.MULTILINE)

@@ -301,9 +301,7 @@ void see_all(int i) {
     SEE(gabor_profile_triangle(blurred))
     SEE(gabor_profile_sawtooth(blurred))
     SEE(gabor_profile_pulse(blurred, 0.3f))
-    SEE(gabor_profile_ridges(blurred))
     SEE(0.01f * gabor_profile_triangle(sharp))
-    SEE(0.01f * gabor_profile_ridges(sharp))
 #endif
 #if defined GOLDEN_DIRECTION
     vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map's frequencies grow with p
@@ -374,6 +372,8 @@ void see_all(int i) {
     SEE(kept(base))
     SEE(kept(gabor_terrain_at(ground, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
+    vec4 ground_shares = gabor_ground(base);
+    SEE(ground_shares.x + 2.0f * ground_shares.y + 3.0f * ground_shares.z + 4.0f * ground_shares.w)
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
 #endif
