@@ -39,6 +39,11 @@ float drawn(int point, int k, float low, float high) {
     return low + above;
 }
 
+// A number from low to high, which is an end for one point in four.
+float drawn_to_ends(int point, int k, float low, float high) {
+    return min(max(drawn(point, k, 1.17f * low - 0.17f * high, 1.17f * high - 0.17f * low), low), high);
+}
+
 // Any float: half of the time random bits, otherwise powers of two, their neighbours, zeros, infinities and NaN.
 float any_number(int point, int k) {
     uint word = random_word(point, k);
@@ -218,6 +223,13 @@ float kept(GaborTerrain t) {
 #if defined GOLDEN_MATERIALS
 float kept(GaborMaterial m) {
     return kept(m.colour) + 10.0f * m.height + 0.3f * gabor_roughness(m) + 0.2f * m.metalness + 0.1f * kept(m.slope) + kept(m.lost);
+}
+#endif
+
+#if defined GOLDEN_MATERIALS
+float kept(GaborBoard b) {
+    return kept(b.p) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
+           + b.joint.x + (b.joint.y + 0.7f * b.joint.z) / (1.0f + abs(b.joint.y) + abs(b.joint.z)); // its edges may be steep
 }
 #endif
 
@@ -416,5 +428,14 @@ void see_all(int i) {
     SEE(kept(gabor_laid(gabor_wood_filtered(blurred.p, blurred.dx, blurred.dy, blurred.seed), blurred, boards)))
     SEE(kept(gabor_covered(metal, stone, 0.002f)))
     SEE(kept(gabor_worn(metal, stone, 0.002f)))
+    GaborBoards any = GaborBoards(vec3(drawn(i, 60, 0.0f, 1.0f), drawn(i, 61, 0.0f, 1.0f), drawn(i, 62, 0.0f, 1.0f)),
+                                  drawn_to_ends(i, 63, 0.05f, 10.0f), drawn_to_ends(i, 64, 0.05f, 20.0f),
+                                  drawn_to_ends(i, 65, 0.0f, 1.0f), drawn_to_ends(i, 66, 0.0f, 1.0f), drawn_to_ends(i, 67, 0.0f, 1.0f),
+                                  drawn_to_ends(i, 68, 0.0f, 0.2f), drawn_to_ends(i, 69, 0.0f, 0.2f));
+    vec2 tile = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(drawn(i, 70, 0.1f, 20.0f), drawn(i, 71, 0.1f, 20.0f));
+    GaborBoard sharp = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), tile, any, s.seed);
+    GaborBoard wide = gabor_board(p, dx, dy, tile, any, s.seed);
+    SEE(kept(sharp)) SEE(kept(wide)) SEE(kept(gabor_laid(metal, sharp, any))) SEE(kept(gabor_laid(stone, wide, any)))
+    SEE(kept(gabor_covered(metal, stone, 0.0f))) SEE(kept(gabor_worn(stone, metal, 0.1f)))
 #endif
 }
