@@ -388,6 +388,23 @@ void see_all(int i) {
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
+    GaborErosion any;
+    any.octaves = i % 7;
+    any.frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
+    any.strength = drawn_to_ends(i, 61, 0.0f, 0.5f);
+    any.lacunarity = drawn_to_ends(i, 62, 1.0f, 4.0f);
+    any.gain = drawn_to_ends(i, 63, 0.0f, 1.0f);
+    any.onset = drawn_to_ends(i, 64, 0.05f, 4.0f);
+    any.detail = drawn_to_ends(i, 65, 0.1f, 10.0f);
+    any.uniformity = drawn_to_ends(i, 66, 0.0f, 8.0f);
+    any.ridge_rounding = drawn_to_ends(i, 67, 0.0f, 2.0f);
+    any.crease_rounding = drawn_to_ends(i, 68, 0.0f, 2.0f);
+    any.gully_weight = drawn_to_ends(i, 69, 0.0f, 1.0f);
+    any.branching = drawn_to_ends(i, 70, 0.0f, 2.0f);
+    ground.cell = ivec2(i % 9, -i % 5);
+    ground.period = vec2(i % 3 == 0 ? 0.0f : 0.5f * s.period.x, i % 3 == 1 ? 0.0f : s.period.y);
+    SEE(kept(gabor_terrain_at(ground, 0.1f * s.dx, 0.1f * s.dy, s.seed)))
+    SEE(kept(gabor_eroded_at(ground, 0.1f * s.dx, 0.1f * s.dy, base, any, s.seed)))
 #endif
 #if defined GOLDEN_OCEAN
     GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f, vec3(i % 4 == 1 ? 2.5f : 0.0f, 11.0f, -0.7f), i % 4 == 3 ? 64 : 0);
@@ -401,6 +418,10 @@ void see_all(int i) {
     SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
     SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
     SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude + sea.band[GABOR_OCEAN_BANDS].amplitude)
+    // Beyond all ranges.
+    GaborOcean end = i % 2 == 0 ? gabor_ocean_of(1.0f, 1.3f, 500.0f, vec3(1.0f, 2.0f, 0.5f), 0) : gabor_ocean_of(40.0f, -2.5f, 3.0e6f, vec3(2.0f, 40.0f, 0.4f), 0);
+    SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, none, none, end, s.seed)))
+    SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, dx, vec2(dx.y, dx.x), end, s.seed)))
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units
