@@ -301,6 +301,12 @@ void see_all(int i) {
     SEE(kept(gabor_field_lobes(here, ellipses, s.seed)))
     SEE(kept(gabor_field_lobes_filtered(here, s.dx, s.dy, lobes, s.seed)))
     SEE(kept(gabor_field_lobes_filtered(tile, s.dx, s.dy, ellipses, s.seed)))
+    GaborLobes fewer = ellipses;
+    fewer.count = i % 4;
+    SEE(0.2f * kept(gabor_field_lobes(place, fewer, s.seed)))
+    SEE(0.2f * kept(gabor_field_lobes_filtered(place, 0.2f * s.dx, 0.2f * s.dy, fewer, s.seed)))
+    float spread = i % 16 == 2 ? 0.0f : drawn(i, 34, -0.5f, 0.5f); // at frequency 20, as many directions as there may be
+    SEE(gabor_noise_spread(s.p, i % 16 == 2 ? 20.0f : s.frequency, s.orientation, spread, drawn(i, 35, -0.5f, 2.0f), s.seed))
     SEE(kept(gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed)))
     SEE(kept(gabor_field_filtered(gabor_place_at(s.p), s.dx, s.dy, wave, s.seed)))
     SEE(kept(gabor_field_filtered(tile, s.dx, s.dy, wave, s.seed)))
