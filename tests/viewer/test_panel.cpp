@@ -521,6 +521,40 @@ TEST_CASE("a colour stays between its neighbours") {
         }
 }
 
+TEST_CASE("a photograph larger than a screen is shown as the means of squares") {
+    constexpr int width = 4100, height = 131, square = 3;
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-large.png";
+    std::mt19937 random(3);
+    std::vector<float> colours;
+    for (int i = 0; i < 3 * width * height; ++i)
+        colours.push_back(static_cast<float>(random() >> 8 & 255) / 255);
+    image::PngWriter png(path, width, height, 3);
+    png.write_rows(colours);
+    png.commit();
+    Fitter fitter;
+    fitter.open(path.string());
+    fitter.set_lobes(1);
+    do {
+        fitter.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (fitter.running());
+    fitter.poll();
+    std::filesystem::remove(path);
+    REQUIRE(fitter.photograph());
+    const Photograph& seen = *fitter.photograph();
+    CHECK(seen.square == square);
+    REQUIRE(seen.grid == Extent{width / square, height / square});
+    for (const auto& [x, y] : {std::pair(0, 0), {7, 20}, {width / square - 1, height / square - 1}})
+        for (int c = 0; c < 3; ++c) {
+            float mean = 0;
+            for (int i = 0; i < square * square; ++i)
+                mean += colours[static_cast<std::size_t>(
+                            3 * ((square * y + i / square) * width + square * x + i % square) + c)] /
+                        (square * square);
+            CHECK(seen.pixels[static_cast<std::size_t>(3 * (y * seen.grid.width + x) + c)] == Approx(mean));
+        }
+}
+
 TEST_CASE("a photograph's noise replaces the document's, and another number of lobes leaves it where it is") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-photograph.png";
     constexpr int side = 128;
