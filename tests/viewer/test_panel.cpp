@@ -60,6 +60,33 @@ std::string panel_text(Session& session) {
     return text;
 }
 
+// Draws the panel with every section open, and presses the button or check box with this label; the section
+// is
+// "" for the buttons above the sections.
+void press_in_panel(Session& session, const std::string& section, const char* label) {
+    const NoWindow none;
+    for (int frame = 0; frame < 4; ++frame) {
+        ImGui::NewFrame();
+        ImGui::SetNextWindowSize({400, 4000});
+        ImGui::Begin("panels");
+        side_panel(session);
+        ImGuiID id = ImGui::GetID(label);
+        ImGui::BeginChild("sections");
+        for (const char* title : {"Animation", "Export", "File", "View", "Laboratory"})
+            ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
+        if (!section.empty()) {
+            ImGui::PushID(section.c_str());
+            id = ImGui::GetID(label);
+            ImGui::PopID();
+        }
+        ImGui::EndChild();
+        ImGui::End();
+        if (frame == 1)
+            ImGui::ActivateItem(id); // in the next frame
+        ImGui::EndFrame();
+    }
+}
+
 // Draws a frame after the pointer has moved.
 template <typename Draw>
 void frame(ImVec2 pointer, Draw draw) {
@@ -78,6 +105,15 @@ void drag(ImVec2 from, ImVec2 to, Draw draw) {
     frame(to, draw);
     ImGui::GetIO().MouseDown[0] = false;
     frame(to, draw);
+}
+
+// Draws a frame in which a key goes down.
+template <typename Draw>
+void press(int key, Draw draw) {
+    ImGui::GetIO().KeysDown[key] = true;
+    frame({400, 300}, draw);
+    ImGui::GetIO().KeysDown[key] = false;
+    frame({400, 300}, draw);
 }
 
 std::string panel_text(const Document& document) {
@@ -110,6 +146,121 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
             document.colours = 5;
             check(fmt::format("{}, {}", view, output_names.at(output)), document);
         }
+}
+
+TEST_CASE("each button and check box of the panel does what it says") {
+    const auto after = [](const char* json, const char* section, const char* label,
+                          const ExportTarget& target = {}) {
+        auto session = std::make_unique<Session>(document_from_json(json), "");
+        session->view = {800, 600};
+        session->export_target = target;
+        press_in_panel(*session, section, label);
+        return session;
+    };
+    const char* const plain = R"({"width": 600, "height": 400, "scale": 40})";
+    const char* const wood = R"({"material": "wood"})";
+    CHECK(after(plain, "", "Materials and presets")->gallery);
+    CHECK(after(plain, "", "Photograph")->dialog.value().title == "Fit a noise to a photograph");
+    CHECK(after(plain, "", "Copy code")->message.text == "copied GLSL that draws this view");
+    CHECK(after(plain, "Animation", "play")->playing);
+    CHECK(after(plain, "File", "Open...")->dialog.value().title == "Open");
+    CHECK(after(plain, "File", "Save")->dialog.value().title == "Save as a preset");
+    CHECK(after(plain, "File", "Save as...")->dialog.value().title == "Save as a preset");
+    CHECK(after(plain, "Export", "Export to...")->dialog.value().title == "Export to a file");
+    CHECK(after(wood, "Export", "Export to...")->dialog.value().title == "Export maps to a folder");
+    for (const auto& [label, width, height, scale] :
+         {std::tuple("half size", 300, 200, 20.0), {"double size", 1200, 800, 80.0}}) {
+        const render::Request made = after(plain, "Export", label)->document().request;
+        CHECK(std::tuple(made.width, made.height, made.scale) == std::tuple(width, height, scale));
+    }
+    CHECK_FALSE(after(plain, "Export", "also write PNG")->export_target.png);
+    CHECK_FALSE(after(wood, "Export", "tileable##maps")->export_target.tileable);
+    CHECK(after(wood, "Export", "DirectX normals")->export_target.directx);
+    CHECK(after(plain, "Export", "16-bit floats", {.chosen = ExportAs::texture})->export_target.half);
+    CHECK(std::get<render::Plane>(
+              after(plain, "Export", "tileable", {.chosen = ExportAs::texture})->document().request.view)
+              .tileable);
+    CHECK(after(R"({"tileable": true})", "View", "2 x 2 tiles")->tiles);
+    CHECK(after(plain, "View", "filter")->document().request.filter);
+    CHECK(after(R"({"viewer": {"output": "gradient"}})", "View", "DirectX normals")
+              ->document()
+              .directx_normals);
+    CHECK(after(plain, "Laboratory", "gradient")->document().request.gradient);
+    CHECK(after(plain, "Laboratory", "phasor")->document().request.phasor);
+}
+
+TEST_CASE("a question gives the answer whose button is pressed") {
+    for (const auto& [label, given] : {std::pair("Yes (Enter)", 1), {"No (N)", 2}, {"Cancel (Esc)", 0}}) {
+        const NoWindow none;
+        Session session(document_of({}), "");
+        session.closing = Closing::asked;
+        int found = 0;
+        session.question =
+            Question{"Is it?", {{"Yes", [&] { found = 1; }, 'Y'}, {"No", [&] { found = 2; }, 'N'}}};
+        for (int i = 0; i < 4; ++i)
+            frame({0, 0}, [&, name = label] {
+                question_window(session);
+                if (i == 1)
+                    ImGui::ActivateItem(ImGui::FindWindowByName("Please confirm")->GetID(name));
+            });
+        CHECK_FALSE(session.question);
+        CHECK(found == given);
+        CHECK((session.closing == Closing::no) == (given == 0));
+    }
+    for (const auto& [key, given] :
+         {std::pair(GLFW_KEY_ENTER, 1), {GLFW_KEY_Y, 1}, {GLFW_KEY_N, 2}, {GLFW_KEY_ESCAPE, 0}}) {
+        const NoWindow none;
+        Session session(document_of({}), "");
+        int found = 0;
+        session.question =
+            Question{"Is it?", {{"Yes", [&] { found = 1; }, 'Y'}, {"No", [&] { found = 2; }, 'N'}}};
+        press(GLFW_KEY_F, [&] { handle_input(session, 800, 600); });
+        CHECK(session.question);
+        CHECK_FALSE(session.document().request.filter);
+        press(key, [&] { handle_input(session, 800, 600); });
+        CHECK_FALSE(session.question);
+        CHECK(found == given);
+    }
+}
+
+TEST_CASE("a double click adds the colour that is there, and a button removes it") {
+    const NoWindow none;
+    Document document = document_of({});
+    document.ramp = {{0, {0, 0, 0}}, {0.5f, {1, 0.4f, 0}}, {1, {1, 1, 1}}};
+    Session session(document, "");
+    ImVec2 corner;
+    float width = 0;
+    const auto draw = [&] {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({400, 300});
+        ImGui::Begin("panels");
+        corner = ImGui::GetCursorScreenPos();
+        width = ImGui::CalcItemWidth();
+        ramp_editor(session);
+        ImGui::End();
+    };
+    const auto double_click = [&](float share) {
+        const float edge = 0.4f * ImGui::GetFontSize();
+        for (const bool down : {false, true, false, true, false}) {
+            ImGui::GetIO().MouseDown[0] = down;
+            frame({corner.x + std::lerp(edge, width - edge, share), corner.y + 4}, draw);
+        }
+    };
+    frame({0, 0}, draw);
+    double_click(0.25f);
+    const std::vector<ColourStop>& ramp = session.document().ramp;
+    REQUIRE(ramp.size() == 4);
+    CHECK(session.selected_stop == 1);
+    CHECK(ramp[1].at == Approx(0.25).margin(0.01));
+    for (const auto& [c, part] : {std::pair(0u, 0.5), {1u, 0.2}, {2u, 0.0}})
+        CHECK(ramp[1].colour.at(c) == Approx(part).margin(0.02));
+    ImGui::ActivateItem(ImGui::FindWindowByName("panels")->GetID("remove"));
+    frame({0, 0}, draw);
+    CHECK(ramp == document.ramp);
+    for (int i = 0; i < 8; ++i)
+        double_click(0.06f + 0.11f * static_cast<float>(i));
+    CHECK(ramp.size() == most_stops);
+    CHECK(std::ranges::is_sorted(ramp, {}, &ColourStop::at));
 }
 
 TEST_CASE("the gallery shows each preset once") {
@@ -214,15 +365,6 @@ TEST_CASE("the place under the pointer stays there when the wheel turns or the p
             CHECK(moved[axis] == Approx(before[axis]));
         }
     }
-}
-
-// Draws a frame in which a key goes down.
-template <typename Draw>
-void press(int key, Draw draw) {
-    ImGui::GetIO().KeysDown[key] = true;
-    frame({400, 300}, draw);
-    ImGui::GetIO().KeysDown[key] = false;
-    frame({400, 300}, draw);
 }
 
 TEST_CASE("a body turns with its surface, however near it is, and the camera of a landscape or a sea turns") {
@@ -339,8 +481,8 @@ TEST_CASE("each key does what the page of keys says, or says why it cannot") {
         CHECK(session->document() == document_from_json(json));
         CHECK_FALSE((session->tiles || session->playing));
     }
-    CHECK(after(plain, {GLFW_KEY_O}, true)->dialog->action == "Open");
-    CHECK(after(plain, {GLFW_KEY_S}, true)->dialog->action == "Save");
+    CHECK(after(plain, {GLFW_KEY_O}, true)->dialog.value().action == "Open");
+    CHECK(after(plain, {GLFW_KEY_S}, true)->dialog.value().action == "Save");
     CHECK(after(plain, {GLFW_KEY_Q}, true)->closing == Closing::asked);
     CHECK(after(plain, {GLFW_KEY_N}, true)->document().request.seed == 0); // not with Ctrl
     CHECK(after(plain, {GLFW_KEY_C}, true)->message.text == "copied GLSL that draws this view");
@@ -406,20 +548,20 @@ TEST_CASE("files are listed by their endings, in order and without hidden ones, 
     const auto shown = [&] {
         for (int i = 0; i < 2; ++i)
             frame({0, 0}, [&] { dialog_window(session); });
-        return std::pair(session.dialog->folders, session.dialog->files);
+        return std::pair(session.dialog.value().folders, session.dialog.value().files);
     };
     using Names = std::vector<std::string>;
     ask_for_file(session);
     CHECK(shown() == std::pair(Names{"sub"}, Names{"a.JSON", "b.json", "c.exr", "d.png"}));
-    session.dialog->name = "sub";
+    session.dialog.value().name = "sub";
     answer_dialog(session);
-    CHECK(session.dialog->name.empty());
+    CHECK(session.dialog.value().name.empty());
     CHECK(shown() == std::pair(Names{}, Names{"f.json"}));
     answer_dialog(session); // an empty name chooses nothing
-    session.dialog->name = "..";
+    session.dialog.value().name = "..";
     answer_dialog(session);
-    CHECK(session.dialog->folder == folder);
-    session.dialog->name = "b.json";
+    CHECK(session.dialog.value().folder == folder);
+    session.dialog.value().name = "b.json";
     answer_dialog(session);
     CHECK_FALSE(session.dialog);
     CHECK(session.document().request.seed == 5);
@@ -434,7 +576,7 @@ TEST_CASE("files are listed by their endings, in order and without hidden ones, 
     set_parameter(session.document(), "material", std::string("wood"));
     ask_where_to_export(session); // maps go to a folder
     CHECK(shown() == std::pair(Names{"sub"}, Names{}));
-    CHECK(session.dialog->folder_wanted);
+    CHECK(session.dialog.value().folder_wanted);
     std::filesystem::remove_all(folder);
 }
 
