@@ -245,16 +245,6 @@ class Events(EventsTest):
             self.keys("ctrl+q") # without a question: playing changes nothing
             self.end()
 
-    def test_the_next_view_keeps_the_material(self):
-        self.open(*WINDOW, self.preset("wood.json", material="wood", width=64, height=64, scale=16))
-        views = []
-        for _ in range(4):
-            self.keys("v")
-            self.assertEqual(self.document["material"], "wood")
-            views.append(self.document["view"])
-        self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
-        self.close()
-
     def test_the_mouse_turns_and_zooms_a_landscape(self):
         self.open("--window", "1000x700", self.preset("hills.json", **LANDSCAPE))
         before = self.document

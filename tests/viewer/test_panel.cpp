@@ -432,7 +432,7 @@ TEST_CASE("arrows, plus and minus move and zoom like the pointer") {
 }
 
 TEST_CASE("each key does what the page of keys says, or says why it cannot") {
-    const auto after = [](const char* json, std::initializer_list<int> keys, bool ctrl = false) {
+    const auto after = [](const char* json, const std::vector<int>& keys, bool ctrl = false) {
         const NoWindow none;
         auto session = std::make_unique<Session>(document_from_json(json), "");
         session->view = {800, 600};
@@ -452,6 +452,12 @@ TEST_CASE("each key does what the page of keys says, or says why it cannot") {
         CHECK(after(wood, {GLFW_KEY_1 + static_cast<int>(i)})->document().look == static_cast<Look>(i));
     CHECK(after(R"({"view": "terrain"})", {GLFW_KEY_5})->document().look == Look::lit);
     CHECK(after(plain, {GLFW_KEY_V})->document().request.view == render::View(render::Horizon()));
+    for (const auto& [times, view] :
+         {std::pair(1u, "horizon"), {2u, "sphere"}, {3u, "torus"}, {4u, "flat"}}) {
+        const auto session = after(wood, std::vector<int>(times, GLFW_KEY_V));
+        CHECK(session->document().request.material == "wood"); // other views have none
+        CHECK(std::get<std::string>(*render::parameter("view").get(session->document().request)) == view);
+    }
     CHECK(after(plain, {GLFW_KEY_F})->document().request.filter);
     CHECK_FALSE(after(plain, {GLFW_KEY_F, GLFW_KEY_F})->document().request.filter);
     CHECK(after(plain, {GLFW_KEY_C, GLFW_KEY_C})->document().colours == 2);
