@@ -15,10 +15,10 @@ struct Settings {
     Placement placement;
     bool panels = true;
     float ui_scale = 1;
-    std::string document; ///< document of the last session, as JSON; empty for none
-    std::string preset_path;
-    std::string export_path;
-    std::vector<std::string> recent;
+    std::string document = {}; ///< document of the last session, as JSON; empty for none
+    std::string preset_path = {};
+    std::string export_path = {};
+    std::vector<std::string> recent = {};
     int unsaved_by = 0; ///< id of a process whose changes were neither saved nor discarded; 0 for none
 
     bool operator==(const Settings&) const = default;

@@ -130,6 +130,10 @@ class Help(ProgramTest):
             for limit in ("kind", "driver", "Vulkan", "memory", "storage buffer", "workgroup", "GPU timing"):
                 self.assertRegex(block, rf"(?m)^   {limit} +\S")
             self.assertRegex(block, r"(?m)^   memory +\d{2,7} MiB$")
+            self.assertRegex(block, r"(?m)^   storage buffer +\d{3,7} MiB at most$") # Vulkan demands 128 MiB
+            group, subgroup = map(int, re.search(r"(?m)^   workgroup +(\d+) invocations at most, (\d+) per subgroup$", block).groups())
+            self.assertGreaterEqual(group, 128) # as Vulkan demands
+            self.assertLessEqual(subgroup, 128)
 
 
 if __name__ == "__main__":

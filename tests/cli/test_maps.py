@@ -64,11 +64,34 @@ class Maps(RenderTest):
             self.assertLess(error.std(), 0.02 * slope.std(), axis)
             self.assertLess(abs(error.mean()), 0.01 * slope.std(), axis)
 
-    def test_hollows_are_darker(self):
-        _, maps = self.maps()
-        height, occlusion = maps["height"], maps["occlusion"]
-        low = height < np.quantile(height, 0.1)
-        self.assertLess(occlusion[low].mean(), 0.9 * occlusion[height > np.quantile(height, 0.9)].mean())
+    def test_occlusion_is_the_mean_over_eight_horizons(self):
+        """Beyond an edge, a tile goes on at the other side, and other maps repeat their last pixel."""
+        y, x = np.mgrid[:HEIGHT, :WIDTH]
+        for options, mode in ([], "clip"), (["--tileable"], "wrap"):
+            _, maps = self.maps(*options, "--scale=20")
+            height, open_sky = maps["height"], 0
+            for right, down in ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)):
+                slopes = [0 * height]
+                for step in 1, 2, 4, 8, 16, 32:
+                    at = np.ravel_multi_index((y + step * down, x + step * right), height.shape, mode=mode)
+                    slopes.append((height.ravel()[at] - height) * 20 / (step * np.hypot(right, down)))
+                open_sky = open_sky + 1 / (1 + np.max(slopes, axis=0) ** 2) / 8
+            np.testing.assert_allclose(maps["occlusion"], open_sky, atol=1e-6, err_msg=mode)
+            self.assertLess(open_sky.min(), 0.7)
+
+    def test_maps_of_terrain(self):
+        """Are those of the picture from above: the ground is rough and no metal, and normals follow from its slopes."""
+        land = ("--view=terrain", f"--size={WIDTH}x{HEIGHT}", "--scale=12", "--extent=800", "--seed=3")
+        self.succeed("render", *land, "--maps", "land", "--no-tileable")
+        self.succeed("render", *land, "-o", "above.exr")
+        maps, above = (Exr(self.folder / name).channels for name in ("land/maps.exr", "above.exr"))
+        self.assertEqual(set(maps), {"R", "G", "B", "height", "roughness", "metalness", "normal.x", "normal.y", "normal.z", "occlusion"})
+        for name in ("R", "G", "B", "height"):
+            np.testing.assert_array_equal(maps[name], above[name], name)
+        self.assertEqual((np.ptp(maps["roughness"]), maps["roughness"][0, 0], np.ptp(maps["metalness"]), maps["metalness"][0, 0]), (0, 1, 0, 0))
+        for axis, slope in (("x", -above["slope.x"]), ("y", above["slope.y"])):
+            np.testing.assert_allclose(maps[f"normal.{axis}"] / maps["normal.z"], slope, rtol=1e-4, atol=1e-5)
+        self.assertLess(maps["occlusion"].min(), 0.8)
 
     def test_tiles_have_no_seam_in_any_map(self):
         _, maps = self.maps("--tileable", material="leather")
@@ -109,8 +132,18 @@ class Maps(RenderTest):
         self.assertEqual({image["uri"] for image in scene["images"]}, {"base_color.png", "normal.png", "orm.png"})
         self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
         document = ElementTree.fromstring((folder / "material.mtlx").read_text())
-        files = {each.get("value") for each in document.iterfind(".//input[@name='file']")}
-        self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png", "height.png"})
+        files = {node.get("name"): node.find("input[@name='file']").get("value") for node in document.iterfind("tiledimage")}
+        self.assertEqual(files, {name: f"{name}.png" for name in ("base_color", "roughness", "metalness", "normal", "height")})
+        surface = {each.get("name"): each.get("nodename") for each in document.find("standard_surface") if each.get("nodename")}
+        self.assertEqual(surface, {"base_color": "base_color", "specular_roughness": "roughness", "metalness": "metalness", "normal": "bumped"})
+        material, = scene["materials"]
+        for part, file in ((material["pbrMetallicRoughness"]["baseColorTexture"], "base_color"), (material["normalTexture"], "normal"),
+                           (material["pbrMetallicRoughness"]["metallicRoughnessTexture"], "orm"), (material["occlusionTexture"], "orm")):
+            self.assertEqual(scene["images"][scene["textures"][part["index"]]["source"]]["uri"], f"{file}.png")
+        described = json.loads((folder / "material.json").read_text())
+        self.assertEqual({described["name"], material["name"], document.find("surfacematerial").get("name")}, {"bark"})
+        for name in ("base_color", "normal", "height", "roughness", "metalness", "occlusion"):
+            self.assertEqual(described[name]["file"], f"{name}.png")
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_documents_state_the_size_and_the_heights_in_metres(self):
@@ -146,7 +179,11 @@ class Maps(RenderTest):
 
         self.assertEqual(described("--material=strata"), (2048, 2048, True, 512))
         self.assertEqual(described("--material=strata", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
-        self.assertEqual(described("--preset=hills", "--size=64")[:3], (64, 64, True))  # a landscape, from above
+        self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
+        self.assertEqual(described("--view=terrain", "--size=64x32"), (64, 32, True, 4))
+        width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
+        self.assertEqual(described("--preset=walnut", "--size=64x32"), (64, 32, True, scale * 32 / min(width, height)))
+        self.assertEqual(described("--preset=walnut", "--size=64x32", "--scale=9"), (64, 32, True, 9))
         self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
         self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
 

@@ -196,20 +196,26 @@ class Periods(RenderTest):
         self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
     def test_frames_loop(self):
-        self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20")
+        self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--time=0.25")
         self.assertEqual(sorted(self.files()), [f"out.000{i}.{kind}" for i in (1, 2, 3) for kind in ("exr", "png")])
         for frame in (1, 2, 3):
             exr = Exr(self.folder / f"out.000{frame}.exr")
-            self.assertAlmostEqual(exr.parameters["time"], (frame - 1) / 3)
+            self.assertAlmostEqual(exr.parameters["time"], 0.25 + (frame - 1) / 3)
             self.assert_same_bits(self.render(output="one.exr", like=f"out.000{frame}.exr").pixels, exr.pixels)
         for count in ("0", "-1", "10000", "two", "1.5"):
             self.assert_fails(2, ["--frames", count, "1 to 9999"], "render", "-o", "out.exr", "--frames", count)
 
     def test_only_frequencies_above_half_a_cycle_per_pixel_are_warned_of(self):
-        for options, warned in (("0", False), ("0.5", True)):
-            result = gabor("render", "-o", "out.exr", "--size=8x8", "--scale=40", "--frequency=16", "--orientation-spread=0",
-                           f"--frequency-spread={options}", cwd=self.folder)
-            self.assertEqual("alias" in result.stderr, warned, result.stderr)
+        paint = np.full((2, 2), 20, "<f4")
+        write_exr(self.folder / "paint.exr", {"frequency": paint, "orientation": paint})
+        (self.folder / "lobes.json").write_text('[{"frequency": 2}, {"frequency": 30, "orientation": 60}, {"frequency": 9}]')
+        fast = ["--scale=40", "--frequency=24"]
+        for options, warned in ((["--scale=40", "--frequency=16"], None), (["--scale=40", "--frequency=16", "--frequency-spread=0.5"], "0.6"),
+                                (fast, "0.6"), ([*fast, "--orientation=45"], None), ([*fast, "--orientation=45", "--orientation-spread=3"], "0.6"),
+                                ([*fast, "--orientation=200"], "0.564"), (["--scale=40", "--lobes=lobes.json"], "0.65"), ([*fast, "--filter"], None),
+                                ([*fast, "--view=slice"], None), (["--paint=paint.exr"], None)):
+            result = gabor("render", "-o", "out.exr", "--size=8x8", *options, cwd=self.folder)
+            self.assertEqual((result.returncode, re.findall("is (.*) cycles per pixel", result.stderr)), (0, [warned] if warned else []), options)
 
     def test_time_is_periodic(self):
         at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
@@ -276,6 +282,14 @@ class Messages(RenderTest):
     def test_one_line_reports_what_was_done(self):
         stdout = self.succeed("render", "-o", "out.exr", "--size=61x47", "--region=0,0,11,13", "--recipe=paper")
         self.assertRegex(stdout, r"\Aout\.exr: 11 x 13 pixels, recipe paper, on [^\n]+\n\Z")
+        name = self.devices()[0][1]
+        for options, said in ((["-o", "a.png", "--material=zebra"], "a.png: 12 x 8 pixels, material zebra"),
+                              (["--heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
+                              (["--png=c.png", "--heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
+                              (["-o", "e.exr", "--png=f.png", "--view=ocean"], "e.exr: 12 x 8 pixels, ocean"),
+                              (["-o", "g.exr", "--view=slice"], "g.exr: 12 x 8 pixels, recipe lattice"),
+                              (["--maps=h", "--material=zebra"], "h: maps of 12 x 8 pixels, material zebra")):
+            self.assertEqual(self.succeed("render", "--size=12x8", "--device=0", *options), f"{said}, on {name}\n")
 
     @unittest.skipIf(os.environ.get("GABOR_SANITIZE"), "sanitizers keep freed memory")
     def test_a_large_picture_needs_little_memory(self):

@@ -296,6 +296,16 @@ class Channels(SpectraTest):
         drawn = self.render("--paint=flow.png", size="400x200", scale=40, frequency=2).pixels
         self.assertLess(np.abs(np.diff(drawn, n=2, axis=1)).max(), (2 * np.pi * 3 / 40) ** 2 * 5)
 
+    def test_what_is_no_paint_is_refused(self):
+        for name in "frequency", "orientation":
+            channels = {each: np.full((2, 3), 3, "<f4") for each in ("frequency", "orientation")}
+            channels[name][1, 2] = np.inf
+            write_exr(self.folder / "endless.exr", channels)
+            self.assert_refused([f"a value of channel {name} is not finite"], "render", "--paint=endless.exr", "-o", "x.exr")
+        wide = np.zeros((257, 65536), "<f2")
+        write_exr(self.folder / "large.exr", {"frequency": wide, "orientation": wide})
+        self.assert_refused(["paint 'large.exr' has 65536 x 257 pixels: at most 16777216"], "render", "--paint=large.exr", "-o", "x.exr")
+
     def test_a_grey_picture_has_no_directions(self):
         self.render("--png=grey.png", size="64x64")
         self.assert_refused(["grey.png", "red and green"], "render", "--paint=grey.png", "-o", "x.exr")

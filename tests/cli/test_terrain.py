@@ -57,6 +57,16 @@ class Terrain(ProgramTest):
         np.testing.assert_allclose(low + (high - low) * levels / 65535, heights, atol=(high - low) / 65535)
         self.assertGreater((self.folder / "view.png").stat().st_size, 10000)
 
+    def test_a_heightmap_of_given_heights_is_clamped_to_them(self):
+        heights = self.drawn("--extent=100")["height"].astype(float)
+        low, high = np.quantile(heights, (0.1, 0.7)).round(1)
+        for name in "a.png", "b.r16":
+            self.succeed(*GROUND, "--extent=100", "--heightmap", name, f"--elevation={low},{high}")
+            levels = read_deep_png(self.folder / name) if name == "a.png" else np.fromfile(self.folder / name, "<u2").reshape(96, 160)
+            np.testing.assert_allclose(levels / 65535, np.clip((heights - low) / (high - low), 0, 1), atol=1e-5)
+            scale = json.loads((self.folder / f"{name}.json").read_text())
+            self.assertEqual(scale, {"width": 160, "height": 96, "extent": [100, 60], "elevation": [low, high]})
+
     def test_the_header_draws_it_again(self):
         expected = self.drawn("--preset=canyon", "--scale=20", "--octaves=3")
         self.succeed("render", "--like", "out.exr", "-o", "again.exr")

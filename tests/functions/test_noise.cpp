@@ -165,6 +165,31 @@ void see_signs(Differences& of, Random& random, std::initializer_list<test::Nois
     }
 }
 
+// Compares noises of frequencies around the highest, 10^6.
+template <std::size_t N>
+void check_highest(std::initializer_list<test::Noise<N>> noises) {
+    Random random(25);
+    for (const test::Noise<N>& noise : noises)
+        for (const bool filtered : {false, true}) {
+            INFO(noise.name << (filtered ? ", filtered" : ""));
+            double apart = 0;
+            for (int i = 0; i < 16; ++i) {
+                test::Sample<N> s = test::somewhere<N>(random, 1);
+                s.direction = {1}; // each axis has the same limit
+                if constexpr (N == 3)
+                    s.normal = {0, 0, 1};
+                const auto at = [&](float frequency) {
+                    s.frequency = frequency;
+                    return filtered ? noise.filtered(s).noise : noise.field(s).noise;
+                };
+                const float highest = at(1.0e6f);
+                CHECK(at(4.0e6f) == highest);
+                apart += static_cast<double>(std::abs(at(0.97e6f) - highest)) / 16;
+            }
+            CHECK(apart > 0.1);
+        }
+}
+
 // Compares a place with the reference's, which has the same period and lies whole periods away.
 void see_place(Largest& largest, const auto& place, const auto& expected, const auto& where) {
     for (std::size_t axis = 0; axis < expected.local.size(); ++axis) {
@@ -218,6 +243,26 @@ TEST_CASE("the sign of a frequency is ignored", "[spectrum][isotropic][space]") 
             test::wide(n.gabor_wave_vector(frequency, turn)), 1e-9, test::Sample<2>{});
     }
     test::check(of, 10);
+}
+
+TEST_CASE("frequencies count up to 10^6, and periods from 1/1024 to 10^9", "[spectrum][isotropic][space]") {
+    check_highest<2>({test::plane, test::isotropic});
+    check_highest<3>({test::solid, test::surface, test::isotropic_3d, test::isotropic_surface});
+    for (const float f : {1.0e6f, 4.0e6f, -4.0e6f})
+        CHECK(n.gabor_wave_vector(f, 0).x == Approx(1.0e6));
+    CHECK(n.gabor_wave_vector(0.97e6f, 0).x == Approx(0.97e6));
+    for (const auto& [period, radius, nodes] : {std::tuple(1.0e-9f, 3072.0f, 3),
+                                                {1 / 1024.0f, 3072.0f, 3},
+                                                {1 / 512.0f, 1536.0f, 3},
+                                                {0.5e9f, 1.5f, 750000000},
+                                                {1.0e9f, 1.5f, 1500000000},
+                                                {4.0e9f, 1.5f, 1500000000}}) {
+        const auto flat = n.gabor_place_tiled({0.1f, 0.2f}, {period, 0});
+        const auto deep = n.gabor_place_3d_tiled({0.1f, 0.2f, 0.3f}, {0, 5, period});
+        INFO(period);
+        CHECK(std::pair(flat.radius.x, flat.period.x) == std::pair(radius, nodes));
+        CHECK(std::pair(deep.radius.z, deep.period.z) == std::pair(radius, nodes));
+    }
 }
 
 TEST_CASE("places have the position and the period that they are made from", "[lattice][space][oracle]") {

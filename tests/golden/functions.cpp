@@ -51,6 +51,7 @@ namespace {
 using std::abs;
 using std::exp2;
 using std::floor;
+using std::max;
 using std::min;
 using std::sin;
 [[maybe_unused]] float uintBitsToFloat(std::uint32_t bits) {

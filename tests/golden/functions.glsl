@@ -39,6 +39,11 @@ float drawn(int point, int k, float low, float high) {
     return low + above;
 }
 
+// A number from low to high, which is an end for one point in four.
+float drawn_to_ends(int point, int k, float low, float high) {
+    return min(max(drawn(point, k, 1.17f * low - 0.17f * high, 1.17f * high - 0.17f * low), low), high);
+}
+
 // Any float: half of the time random bits, otherwise powers of two, their neighbours, zeros, infinities and NaN.
 float any_number(int point, int k) {
     uint word = random_word(point, k);
@@ -221,6 +226,13 @@ float kept(GaborMaterial m) {
 }
 #endif
 
+#if defined GOLDEN_MATERIALS
+float kept(GaborBoard b) {
+    return kept(b.p) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
+           + b.joint.x + (b.joint.y + 0.7f * b.joint.z) / (1.0f + abs(b.joint.y) + abs(b.joint.z)); // its edges may be steep
+}
+#endif
+
 float kept_gradient(vec3 v) {
     return v.x + 0.05f * v.y + 0.03f * v.z;
 }
@@ -289,6 +301,12 @@ void see_all(int i) {
     SEE(kept(gabor_field_lobes(here, ellipses, s.seed)))
     SEE(kept(gabor_field_lobes_filtered(here, s.dx, s.dy, lobes, s.seed)))
     SEE(kept(gabor_field_lobes_filtered(tile, s.dx, s.dy, ellipses, s.seed)))
+    GaborLobes fewer = ellipses;
+    fewer.count = i % 4;
+    SEE(0.2f * kept(gabor_field_lobes(place, fewer, s.seed)))
+    SEE(0.2f * kept(gabor_field_lobes_filtered(place, 0.2f * s.dx, 0.2f * s.dy, fewer, s.seed)))
+    float spread = i % 16 == 2 ? 0.0f : drawn(i, 34, -0.5f, 0.5f); // at frequency 20, as many directions as there may be
+    SEE(gabor_noise_spread(s.p, i % 16 == 2 ? 20.0f : s.frequency, s.orientation, spread, drawn(i, 35, -0.5f, 2.0f), s.seed))
     SEE(kept(gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed)))
     SEE(kept(gabor_field_filtered(gabor_place_at(s.p), s.dx, s.dy, wave, s.seed)))
     SEE(kept(gabor_field_filtered(tile, s.dx, s.dy, wave, s.seed)))
@@ -376,6 +394,23 @@ void see_all(int i) {
     SEE(ground_shares.x + 2.0f * ground_shares.y + 3.0f * ground_shares.z + 4.0f * ground_shares.w)
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
+    GaborErosion any;
+    any.octaves = i % 7;
+    any.frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
+    any.strength = drawn_to_ends(i, 61, 0.0f, 0.5f);
+    any.lacunarity = drawn_to_ends(i, 62, 1.0f, 4.0f);
+    any.gain = drawn_to_ends(i, 63, 0.0f, 1.0f);
+    any.onset = drawn_to_ends(i, 64, 0.05f, 4.0f);
+    any.detail = drawn_to_ends(i, 65, 0.1f, 10.0f);
+    any.uniformity = drawn_to_ends(i, 66, 0.0f, 8.0f);
+    any.ridge_rounding = drawn_to_ends(i, 67, 0.0f, 2.0f);
+    any.crease_rounding = drawn_to_ends(i, 68, 0.0f, 2.0f);
+    any.gully_weight = drawn_to_ends(i, 69, 0.0f, 1.0f);
+    any.branching = drawn_to_ends(i, 70, 0.0f, 2.0f);
+    ground.cell = ivec2(i % 9, -i % 5);
+    ground.period = vec2(i % 3 == 0 ? 0.0f : 0.5f * s.period.x, i % 3 == 1 ? 0.0f : s.period.y);
+    SEE(kept(gabor_terrain_at(ground, 0.1f * s.dx, 0.1f * s.dy, s.seed)))
+    SEE(kept(gabor_eroded_at(ground, 0.1f * s.dx, 0.1f * s.dy, base, any, s.seed)))
 #endif
 #if defined GOLDEN_OCEAN
     GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f, vec3(i % 4 == 1 ? 2.5f : 0.0f, 11.0f, -0.7f), i % 4 == 3 ? 64 : 0);
@@ -389,6 +424,10 @@ void see_all(int i) {
     SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
     SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
     SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude + sea.band[GABOR_OCEAN_BANDS].amplitude)
+    // Beyond all ranges.
+    GaborOcean end = i % 2 == 0 ? gabor_ocean_of(1.0f, 1.3f, 500.0f, vec3(1.0f, 2.0f, 0.5f), 0) : gabor_ocean_of(40.0f, -2.5f, 3.0e6f, vec3(2.0f, 40.0f, 0.4f), 0);
+    SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, none, none, end, s.seed)))
+    SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, dx, vec2(dx.y, dx.x), end, s.seed)))
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units
@@ -416,5 +455,14 @@ void see_all(int i) {
     SEE(kept(gabor_laid(gabor_wood_filtered(blurred.p, blurred.dx, blurred.dy, blurred.seed), blurred, boards)))
     SEE(kept(gabor_covered(metal, stone, 0.002f)))
     SEE(kept(gabor_worn(metal, stone, 0.002f)))
+    GaborBoards any = GaborBoards(vec3(drawn(i, 60, 0.0f, 1.0f), drawn(i, 61, 0.0f, 1.0f), drawn(i, 62, 0.0f, 1.0f)),
+                                  drawn_to_ends(i, 63, 0.05f, 10.0f), drawn_to_ends(i, 64, 0.05f, 20.0f),
+                                  drawn_to_ends(i, 65, 0.0f, 1.0f), drawn_to_ends(i, 66, 0.0f, 1.0f), drawn_to_ends(i, 67, 0.0f, 1.0f),
+                                  drawn_to_ends(i, 68, 0.0f, 0.2f), drawn_to_ends(i, 69, 0.0f, 0.2f));
+    vec2 tile = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(drawn(i, 70, 0.1f, 20.0f), drawn(i, 71, 0.1f, 20.0f));
+    GaborBoard sharp = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), tile, any, s.seed);
+    GaborBoard wide = gabor_board(p, dx, dy, tile, any, s.seed);
+    SEE(kept(sharp)) SEE(kept(wide)) SEE(kept(gabor_laid(metal, sharp, any))) SEE(kept(gabor_laid(stone, wide, any)))
+    SEE(kept(gabor_covered(metal, stone, 0.0f))) SEE(kept(gabor_worn(stone, metal, 0.1f)))
 #endif
 }

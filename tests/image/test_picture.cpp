@@ -1,3 +1,4 @@
+#include "image/exr.hpp"
 #include "image/picture.hpp"
 
 #include "error.hpp"
@@ -128,12 +129,118 @@ TEST_CASE("A flipped bit does no harm, and is refused where a file has checksums
     }
 }
 
-TEST_CASE("A grey TGA may have alpha", "[picture]") {
+// Sizes, bits and pixels as another program, Pillow, reads them; JPEGs may be off by rounding. The first PNG
+// and the first JPEG are turned.
+TEST_CASE("Each kind of file has its format and its pixels", "[picture]") {
+    struct Known {
+        const char* name;
+        int width, height, bits;
+        bool alpha;
+        int x, y;
+        std::vector<float> pixel;
+    };
+    for (const Known& known : {Known{"alpha.png", 9, 20, 8, true, 1, 17, {194, 178, 61, 194}},
+                               {"colour.jpg", 33, 40, 8, false, 31, 2, {173, 178, 148}},
+                               {"colour.tga", 20, 9, 8, false, 2, 1, {77, 194, 178}},
+                               {"grey.jpg", 20, 9, 8, false, 2, 1, {189}},
+                               {"grey.tga", 20, 9, 8, false, 2, 1, {114}},
+                               {"grey16.png", 20, 9, 16, false, 0, 8, {52688}},
+                               {"grey8.png", 20, 9, 8, false, 0, 8, {205}},
+                               {"interlaced.png", 20, 9, 8, false, 0, 8, {205, 134, 50}},
+                               {"palette.png", 20, 9, 4, true, 0, 8, {167, 145, 88, 64}},
+                               {"palette.tga", 20, 9, 8, false, 0, 8, {190, 185, 180}},
+                               {"progressive.jpg", 40, 33, 8, false, 0, 32, {102, 118, 180}},
+                               {"runs.tga", 20, 9, 8, false, 0, 8, {205}},
+                               {"strips.tif", 20, 9, 16, false, 2, 1, {49861}}}) {
+        INFO(known.name);
+        const auto file = gabor::image::open_picture(example(known.name));
+        const auto& format = file->format();
+        CHECK(std::array{format.width, format.height, format.bits, format.left, format.top} ==
+              std::array{known.width, known.height, known.bits, 0, 0});
+        CHECK(format.channels == static_cast<int>(known.pixel.size()) - known.alpha);
+        CHECK(format.alpha == known.alpha);
+        CHECK_FALSE(format.linear);
+        const std::optional<Pixels> pixels = read(example(known.name));
+        REQUIRE(pixels);
+        const std::vector<float>& found = pixels->at(known.x, known.y);
+        REQUIRE(found.size() == known.pixel.size());
+        const float white = known.bits == 16 ? 65535 : 255;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            CHECK(white * found[i] ==
+                  Approx(known.pixel[i]).margin(0.1 + 2 * (std::strstr(known.name, "jpg") != nullptr)));
+    }
+}
+
+TEST_CASE("A TGA may begin at any corner, with one to four values per pixel", "[picture]") {
     const ScratchFolder folder;
-    write_file(folder / "grey.tga", "\0\0\3\0\0\0\0\0\0\0\0\0\2\0\1\0\x10\x28\x33\x66\xff\0"s);
-    const std::optional<Pixels> grey = read(folder / "grey.tga");
-    REQUIRE(grey);
-    CHECK(grey->values == std::vector<std::vector<float>>{{51 / 255.0f, 102 / 255.0f}, {1, 0}});
+    for (const int values : {1, 2, 3, 4})
+        for (const int origin : {0, 1, 2, 3}) { // 1: from the right; 2: from the top
+            INFO(values << " values, origin " << origin);
+            std::string file = "\0\0\0\0\0\0\0\0\0\0\0\0\3\0\2\0"s;
+            file[2] = values < 3 ? '\3' : '\2';
+            file += static_cast<char>(8 * values);
+            file += static_cast<char>(16 * origin + (values % 2 == 0 ? 8 : 0));
+            for (int row = 0; row < 2; ++row)
+                for (int column = 0; column < 3; ++column)
+                    for (int i = 0; i < values; ++i) // colours are stored as blue, green, red
+                        file += static_cast<char>(100 * (origin & 2 ? row : 1 - row) +
+                                                  20 * (origin & 1 ? 2 - column : column) +
+                                                  (values > 2 && i < 3 ? 2 - i : i));
+            write_file(folder / "a.tga", file);
+            const std::optional<Pixels> pixels = read(folder / "a.tga");
+            REQUIRE(pixels);
+            for (int y = 0; y < 2; ++y)
+                for (int x = 0; x < 3; ++x) {
+                    std::vector<float> wanted;
+                    for (int i = 0; i < values; ++i)
+                        wanted.push_back(static_cast<float>(100 * y + 20 * x + i) / 255);
+                    CHECK(pixels->at(x, y) == wanted);
+                }
+        }
+}
+
+TEST_CASE("An EXR is read in colour, as its first channel or as the one that is asked for, with its alpha",
+          "[picture]") {
+    const ScratchFolder folder;
+    const auto seen = [&](const std::vector<std::string>& channels, const char* space, const char* asked) {
+        gabor::image::ExrWriter file(
+            folder / "a.exr",
+            {.picture = {0, 0, 9, 9}, .window = {3, 5, 1, 2}, .channels = channels, .colour_space = space});
+        std::vector<float> pixels;
+        for (std::size_t i = 0; i < 2 * channels.size(); ++i) // RGBA as 0, 1, 2, 3, then 4, 5, 6, 7
+            pixels.push_back(static_cast<float>(i));
+        file.write_rows(pixels);
+        file.commit();
+        const auto picture = gabor::image::open_picture(folder / "a.exr", asked);
+        const auto& format = picture->format();
+        CHECK(std::array{format.width, format.height, format.bits, format.left, format.top} ==
+              std::array{1, 2, 32, 3, 5});
+        CHECK(format.linear == (space != "sRGB"sv));
+        std::vector<float> values(static_cast<std::size_t>(format.channels));
+        for (int row = 0; row < 2; ++row)
+            picture->read_row(values);
+        values.insert(values.end(), picture->alpha().begin(), picture->alpha().end());
+        return values;
+    };
+    using Values = std::vector<float>;
+    CHECK(seen({"R", "G", "B", "A"}, "lin_rec709", "") == Values{4, 5, 6, 7});
+    CHECK(seen({"R", "G", "B"}, "sRGB", "") == Values{3, 4, 5});
+    CHECK(seen({"R", "G", "B", "A"}, "", "G") == Values{5, 7});
+    CHECK(seen({"R", "G", "B", "A"}, "", "A") == Values{7});
+    CHECK(seen({"R", "G", "B", "A"}, "", "height") == Values{4, 5, 6, 7});
+    CHECK(seen({"Z", "Y"}, "", "") == Values{3});
+    CHECK(seen({"Z", "W"}, "", "Z") == Values{2});
+    CHECK(seen({"R", "G"}, "", "") == Values{2});
+    const gabor::image::ExrHeader header = gabor::image::ExrReader(folder / "a.exr").header();
+    CHECK(std::array{header.picture.width, header.picture.height, header.window.x, header.window.y} ==
+          std::array{9, 9, 3, 5});
+    const gabor::image::ExrHeader all{{0, 0, 1, 1}, {0, 0, 1, 1}, {"Y"}, "a", "b", "c"};
+    gabor::image::ExrWriter file(folder / "b.exr", all);
+    file.write_rows(std::array{1.0f});
+    file.commit();
+    const gabor::image::ExrHeader again = gabor::image::ExrReader(folder / "b.exr").header();
+    CHECK(std::array{again.parameters, again.software, again.colour_space} ==
+          std::array{all.parameters, all.software, all.colour_space});
 }
 
 TEST_CASE("A few bytes cannot claim a huge picture", "[picture]") {

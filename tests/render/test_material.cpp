@@ -213,11 +213,14 @@ TEST_CASE("materials with random parameters have this version's golden values", 
     std::mt19937 random(2);
     test::Rows rows;
     int lost = 0;
+    bool clamped = true;
     for (int point = 0; point < test::Rows::points; ++point) {
         rows.begin(point);
         const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
         const gabor_vec2 p{30 * unit(), 30 * unit()};
         const gabor_vec2 dx{0.03f * unit(), 0.01f}, dy{-0.01f, 0.03f * unit()};
+        const float turn = static_cast<float>(point);
+        const gabor_vec2 period{6 + 5.5f * std::sin(turn), 6 + 5.5f * std::sin(2 * turn + 1)};
         for (const Material& material : materials) {
             Request request{.material = std::string(material.name)};
             randomize(request, random);
@@ -229,12 +232,30 @@ TEST_CASE("materials with random parameters have this version's golden values", 
                 for (const float value : values_of(found))
                     sum = 0.8 * sum + static_cast<double>(value); // each channel has a different weight
                 rows.see(fmt::format("{} {}", form, material.name), sum);
+                const auto& [x, y, mixed] = found.lost;
+                const float slopes = found.slope.x + 0.7f * found.slope.y + x + 0.7f * y - 0.5f * mixed;
+                rows.see(fmt::format("slopes of {} {}", form, material.name),
+                         std::asinh(static_cast<double>(slopes))); // some are hundreds
             };
             see("sharp", {p});
             see("filtered", {p, dx, dy});
+            see("tiled", {p, {}, {}, period});
+            see("filtered tiled", {p, dx, dy, period});
+            double defaults = 0;
+            for (const float number : material.by_default())
+                defaults = 0.8 * defaults + static_cast<double>(number);
+            rows.see(fmt::format("defaults of {}", material.name), defaults);
+            for (const render::Parameter& parameter :
+                 render::parameters()) // the brightest colours are clamped
+                if (parameter.kind == render::Parameter::Kind::colour && parameter.get(request))
+                    parameter.place.put(request, std::array{1.0, 1.0, 1.0});
+            for (const Pixel& pixel : {Pixel{p}, Pixel{p, dx, dy}})
+                clamped &= is_in_range(
+                    values_of(material.at(pixel, numbers_of(request), static_cast<std::uint32_t>(point))));
         }
     }
     CHECK(rows.compare(GABOR_GOLDEN_FOLDER "/material_parameters.txt", 2e-4, 2e-4));
+    CHECK(clamped);
     CHECK(lost == 0); // without a filter, nothing is lost, not even by rounding
 }
 

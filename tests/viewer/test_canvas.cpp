@@ -163,3 +163,30 @@ TEST_CASE("terrain looks alike in any unit") {
         CHECK(std::ranges::max(seen[0]) - std::ranges::min(seen[0]) > 0.2f);
     }
 }
+
+TEST_CASE("a file's colours do not depend on its bands, and start again with each picture") {
+    for (const Output output :
+         {Output::lit, Output::lit_phasor, Output::phase}) { // lit stripes see the row above
+        Document document = document_of({.width = 40, .height = 24, .scale = 8});
+        document.output = output;
+        document.colours = 3;
+        Canvas canvas(device());
+        const std::vector<float> values = values_of(canvas, document, {40, 24});
+        const std::size_t row = values.size() / 24;
+        FileColours colours(device(), document, canvas.channels());
+        std::vector<std::vector<float>> seen;
+        for (const std::vector<std::size_t>& bands : {std::vector<std::size_t>{24}, {1, 7, 16}, {24}}) {
+            seen.emplace_back();
+            std::size_t first = 0;
+            for (const std::size_t rows : bands) {
+                const auto shown = colours.of(std::span(values).subspan(first * row, rows * row));
+                seen.back().insert(seen.back().end(), shown.begin(), shown.end());
+                first += rows;
+            }
+        }
+        CHECK(seen[0].size() == 3 * 40 * 24);
+        CHECK(std::ranges::max(seen[0]) - std::ranges::min(seen[0]) > 0.2f);
+        CHECK(seen[1] == seen[0]);
+        CHECK(seen[2] == seen[0]);
+    }
+}

@@ -3,6 +3,7 @@
 import json
 import pathlib
 import signal
+import time
 import unittest
 
 from events import EventsTest
@@ -228,15 +229,21 @@ class Events(EventsTest):
             self.assertIsNone(self.state["question"])
             self.close()
 
-    def test_the_next_view_keeps_the_material(self):
-        self.open(*WINDOW, self.preset("wood.json", material="wood", width=64, height=64, scale=16))
-        views = []
-        for _ in range(4):
-            self.keys("v")
-            self.assertEqual(self.document["material"], "wood")
-            views.append(self.document["view"])
-        self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
-        self.close()
+    def test_time_plays_in_a_loop_or_at_sea_on_and_on(self):
+        for view, rate, first in (("flat", 1 / 8, 0.9), ("ocean", 1, 5)): # a period takes 8 seconds
+            self.open(*WINDOW, self.preset(f"{view}.json", view=view, width=64, height=64, time=first))
+            self.keys("space")
+            start, before = time.monotonic(), self.document["time"]
+            self.wait_for(lambda state: (state["document"]["time"] - before) % 1e3 % (1 if view == "flat" else 1e3) > 2 * rate)
+            moved = self.document["time"] - before
+            self.assertAlmostEqual((moved % 1 if view == "flat" else moved) / rate / (time.monotonic() - start), 1, delta=0.5)
+            self.assertTrue(view == "ocean" or self.document["time"] < 1)
+            self.keys("space")
+            still = self.document["time"]
+            self.frames(3)
+            self.assertEqual(self.document["time"], still)
+            self.keys("ctrl+q") # without a question: playing changes nothing
+            self.end()
 
     def test_the_mouse_turns_and_zooms_a_landscape(self):
         self.open("--window", "1000x700", self.preset("hills.json", **LANDSCAPE))

@@ -7,11 +7,14 @@
 #include "image/png.hpp"
 #include "render/load.hpp"
 
+#include <GLFW/glfw3.h>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <random>
 #include <regex>
 #include <set>
@@ -57,6 +60,33 @@ std::string panel_text(Session& session) {
     return text;
 }
 
+// Draws the panel with every section open, and presses the button or check box with this label; the section
+// is
+// "" for the buttons above the sections.
+void press_in_panel(Session& session, const std::string& section, const char* label) {
+    const NoWindow none;
+    for (int frame = 0; frame < 4; ++frame) {
+        ImGui::NewFrame();
+        ImGui::SetNextWindowSize({400, 4000});
+        ImGui::Begin("panels");
+        side_panel(session);
+        ImGuiID id = ImGui::GetID(label);
+        ImGui::BeginChild("sections");
+        for (const char* title : {"Animation", "Export", "File", "View", "Laboratory"})
+            ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
+        if (!section.empty()) {
+            ImGui::PushID(section.c_str());
+            id = ImGui::GetID(label);
+            ImGui::PopID();
+        }
+        ImGui::EndChild();
+        ImGui::End();
+        if (frame == 1)
+            ImGui::ActivateItem(id); // in the next frame
+        ImGui::EndFrame();
+    }
+}
+
 // Draws a frame after the pointer has moved.
 template <typename Draw>
 void frame(ImVec2 pointer, Draw draw) {
@@ -75,6 +105,15 @@ void drag(ImVec2 from, ImVec2 to, Draw draw) {
     frame(to, draw);
     ImGui::GetIO().MouseDown[0] = false;
     frame(to, draw);
+}
+
+// Draws a frame in which a key goes down.
+template <typename Draw>
+void press(int key, Draw draw) {
+    ImGui::GetIO().KeysDown[key] = true;
+    frame({400, 300}, draw);
+    ImGui::GetIO().KeysDown[key] = false;
+    frame({400, 300}, draw);
 }
 
 std::string panel_text(const Document& document) {
@@ -107,6 +146,121 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
             document.colours = 5;
             check(fmt::format("{}, {}", view, output_names.at(output)), document);
         }
+}
+
+TEST_CASE("each button and check box of the panel does what it says") {
+    const auto after = [](const char* json, const char* section, const char* label,
+                          const ExportTarget& target = {}) {
+        auto session = std::make_unique<Session>(document_from_json(json), "");
+        session->view = {800, 600};
+        session->export_target = target;
+        press_in_panel(*session, section, label);
+        return session;
+    };
+    const char* const plain = R"({"width": 600, "height": 400, "scale": 40})";
+    const char* const wood = R"({"material": "wood"})";
+    CHECK(after(plain, "", "Materials and presets")->gallery);
+    CHECK(after(plain, "", "Photograph")->dialog.value().title == "Fit a noise to a photograph");
+    CHECK(after(plain, "", "Copy code")->message.text == "copied GLSL that draws this view");
+    CHECK(after(plain, "Animation", "play")->playing);
+    CHECK(after(plain, "File", "Open...")->dialog.value().title == "Open");
+    CHECK(after(plain, "File", "Save")->dialog.value().title == "Save as a preset");
+    CHECK(after(plain, "File", "Save as...")->dialog.value().title == "Save as a preset");
+    CHECK(after(plain, "Export", "Export to...")->dialog.value().title == "Export to a file");
+    CHECK(after(wood, "Export", "Export to...")->dialog.value().title == "Export maps to a folder");
+    for (const auto& [label, width, height, scale] :
+         {std::tuple("half size", 300, 200, 20.0), {"double size", 1200, 800, 80.0}}) {
+        const render::Request made = after(plain, "Export", label)->document().request;
+        CHECK(std::tuple(made.width, made.height, made.scale) == std::tuple(width, height, scale));
+    }
+    CHECK_FALSE(after(plain, "Export", "also write PNG")->export_target.png);
+    CHECK_FALSE(after(wood, "Export", "tileable##maps")->export_target.tileable);
+    CHECK(after(wood, "Export", "DirectX normals")->export_target.directx);
+    CHECK(after(plain, "Export", "16-bit floats", {.chosen = ExportAs::texture})->export_target.half);
+    CHECK(std::get<render::Plane>(
+              after(plain, "Export", "tileable", {.chosen = ExportAs::texture})->document().request.view)
+              .tileable);
+    CHECK(after(R"({"tileable": true})", "View", "2 x 2 tiles")->tiles);
+    CHECK(after(plain, "View", "filter")->document().request.filter);
+    CHECK(after(R"({"viewer": {"output": "gradient"}})", "View", "DirectX normals")
+              ->document()
+              .directx_normals);
+    CHECK(after(plain, "Laboratory", "gradient")->document().request.gradient);
+    CHECK(after(plain, "Laboratory", "phasor")->document().request.phasor);
+}
+
+TEST_CASE("a question gives the answer whose button is pressed") {
+    for (const auto& [label, given] : {std::pair("Yes (Enter)", 1), {"No (N)", 2}, {"Cancel (Esc)", 0}}) {
+        const NoWindow none;
+        Session session(document_of({}), "");
+        session.closing = Closing::asked;
+        int found = 0;
+        session.question =
+            Question{"Is it?", {{"Yes", [&] { found = 1; }, 'Y'}, {"No", [&] { found = 2; }, 'N'}}};
+        for (int i = 0; i < 4; ++i)
+            frame({0, 0}, [&, name = label] {
+                question_window(session);
+                if (i == 1)
+                    ImGui::ActivateItem(ImGui::FindWindowByName("Please confirm")->GetID(name));
+            });
+        CHECK_FALSE(session.question);
+        CHECK(found == given);
+        CHECK((session.closing == Closing::no) == (given == 0));
+    }
+    for (const auto& [key, given] :
+         {std::pair(GLFW_KEY_ENTER, 1), {GLFW_KEY_Y, 1}, {GLFW_KEY_N, 2}, {GLFW_KEY_ESCAPE, 0}}) {
+        const NoWindow none;
+        Session session(document_of({}), "");
+        int found = 0;
+        session.question =
+            Question{"Is it?", {{"Yes", [&] { found = 1; }, 'Y'}, {"No", [&] { found = 2; }, 'N'}}};
+        press(GLFW_KEY_F, [&] { handle_input(session, 800, 600); });
+        CHECK(session.question);
+        CHECK_FALSE(session.document().request.filter);
+        press(key, [&] { handle_input(session, 800, 600); });
+        CHECK_FALSE(session.question);
+        CHECK(found == given);
+    }
+}
+
+TEST_CASE("a double click adds the colour that is there, and a button removes it") {
+    const NoWindow none;
+    Document document = document_of({});
+    document.ramp = {{0, {0, 0, 0}}, {0.5f, {1, 0.4f, 0}}, {1, {1, 1, 1}}};
+    Session session(document, "");
+    ImVec2 corner;
+    float width = 0;
+    const auto draw = [&] {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({400, 300});
+        ImGui::Begin("panels");
+        corner = ImGui::GetCursorScreenPos();
+        width = ImGui::CalcItemWidth();
+        ramp_editor(session);
+        ImGui::End();
+    };
+    const auto double_click = [&](float share) {
+        const float edge = 0.4f * ImGui::GetFontSize();
+        for (const bool down : {false, true, false, true, false}) {
+            ImGui::GetIO().MouseDown[0] = down;
+            frame({corner.x + std::lerp(edge, width - edge, share), corner.y + 4}, draw);
+        }
+    };
+    frame({0, 0}, draw);
+    double_click(0.25f);
+    const std::vector<ColourStop>& ramp = session.document().ramp;
+    REQUIRE(ramp.size() == 4);
+    CHECK(session.selected_stop == 1);
+    CHECK(ramp[1].at == Approx(0.25).margin(0.01));
+    for (const auto& [c, part] : {std::pair(0u, 0.5), {1u, 0.2}, {2u, 0.0}})
+        CHECK(ramp[1].colour.at(c) == Approx(part).margin(0.02));
+    ImGui::ActivateItem(ImGui::FindWindowByName("panels")->GetID("remove"));
+    frame({0, 0}, draw);
+    CHECK(ramp == document.ramp);
+    for (int i = 0; i < 8; ++i)
+        double_click(0.06f + 0.11f * static_cast<float>(i));
+    CHECK(ramp.size() == most_stops);
+    CHECK(std::ranges::is_sorted(ramp, {}, &ColourStop::at));
 }
 
 TEST_CASE("the gallery shows each preset once") {
@@ -213,18 +367,257 @@ TEST_CASE("the place under the pointer stays there when the wheel turns or the p
     }
 }
 
-TEST_CASE("a body turns with its surface, however near it is") {
-    const auto turned = [](double zoom) {
-        const NoWindow none;
-        Document document = document_from_json(R"({"view": "sphere"})");
-        set_parameter(document, "zoom", zoom);
-        Session session(document, "");
-        const double before = std::get<render::Body>(session.document().request.view).yaw;
-        drag({400, 300}, {440, 300}, [&] { handle_input(session, 800, 600); });
-        return std::get<render::Body>(session.document().request.view).yaw - before;
+TEST_CASE("a body turns with its surface, however near it is, and the camera of a landscape or a sea turns") {
+    for (const auto& [view, zoom, yaw, pitch, least, most] :
+         {std::tuple("sphere", 1.0, -16.0, 12.0, -89.0, 89.0),
+          {"torus", 4.0, -4.0, 3.0, -89.0, 89.0},
+          {"landscape", 4.0, 16.0, 12.0, 0.0, 89.0},
+          {"ocean", 1.0, 16.0, 12.0, 0.0, 89.0}})
+        for (const float density : {1.0f, 2.0f}) {
+            INFO(view);
+            const NoWindow none;
+            ImGui::GetIO().DisplayFramebufferScale = {density, density};
+            Session session(document_from_json(fmt::format(R"({{"view": "{}", "zoom": {}}})", view, zoom)),
+                            "");
+            const auto angle = [&](std::string_view name) {
+                return std::get<double>(*render::parameter(name).get(session.document().request));
+            };
+            const auto input = [&] { handle_input(session, 800, 600); };
+            const double yaw_before = angle("yaw"), pitch_before = angle("pitch");
+            drag({400, 300}, {440, 330}, input);
+            CHECK(std::remainder(angle("yaw") - yaw_before - yaw, 360) == Approx(0).margin(1e-6));
+            CHECK(angle("pitch") - pitch_before == Approx(pitch));
+            CHECK(std::abs(angle("yaw")) <= 180);
+            for (const auto& [to, end] : {std::pair(-3000.0f, least), {3000.0f, most}}) {
+                drag({400, 300}, {400, 300 + to}, input);
+                CHECK(angle("pitch") == end);
+            }
+            for (const auto& [turns, end] : {std::pair(-99.0f, 0.1), {99.0f, 100.0}}) {
+                ImGui::GetIO().MouseWheel = turns;
+                frame({400, 300}, input);
+                CHECK(angle("zoom") == end);
+            }
+        }
+}
+
+TEST_CASE("arrows, plus and minus move and zoom like the pointer") {
+    const NoWindow none;
+    Session session(document_of({.scale = 20}), "");
+    const auto input = [&] { handle_input(session, 800, 600); };
+    const Camera before = session.document().camera;
+    const auto moved = [&] {
+        const Camera& camera = session.document().camera;
+        const auto by = [](const Coordinate& a, const Coordinate& b) {
+            return static_cast<double>(a.whole - b.whole) + a.part - b.part;
+        };
+        return std::array{by(camera.x, before.x), by(camera.y, before.y)};
     };
-    CHECK(std::abs(turned(1)) > 5);
-    CHECK(turned(4) == Approx(turned(1) / 4));
+    for (const auto& [key, x, y] : {std::tuple(GLFW_KEY_RIGHT, 2, 0),
+                                    {GLFW_KEY_DOWN, 2, 2},
+                                    {GLFW_KEY_LEFT, 0, 2},
+                                    {GLFW_KEY_UP, 0, 0}}) { // 40 pixels are two kernel radii
+        press(key, input);
+        CHECK(moved() == std::array<double, 2>{x * 1.0, y * 1.0});
+    }
+    press(GLFW_KEY_EQUAL, input);
+    CHECK(session.document().camera.zoom == Approx(1.15));
+    press(GLFW_KEY_MINUS, input);
+    CHECK(session.document().camera.zoom == Approx(1));
+    CHECK(moved()[0] == Approx(0).margin(1e-9));
+    for (const auto& [turns, scale] : {std::pair(-99.0f, 2.0), {99.0f, 4096.0}}) {
+        ImGui::GetIO().MouseWheel = turns;
+        frame({400, 300}, input);
+        CHECK(session.document().camera.zoom * 20 == Approx(scale));
+    }
+}
+
+TEST_CASE("each key does what the page of keys says, or says why it cannot") {
+    const auto after = [](const char* json, const std::vector<int>& keys, bool ctrl = false) {
+        const NoWindow none;
+        auto session = std::make_unique<Session>(document_from_json(json), "");
+        session->view = {800, 600};
+        ImGui::GetIO().KeyCtrl = ctrl;
+        for (const int key : keys) {
+            press(key, [&] { handle_input(*session, 800, 600); });
+            session->history.commit();
+        }
+        return session;
+    };
+    const char* const plain = R"({"scale": 40})";
+    const char* const wood = R"({"material": "wood"})";
+    const char* const tile = R"({"tileable": true})";
+    for (std::size_t i = 0; i < output_names.size(); ++i)
+        CHECK(after(plain, {GLFW_KEY_1 + static_cast<int>(i)})->document().output == static_cast<Output>(i));
+    for (std::size_t i = 0; i < look_names.size(); ++i)
+        CHECK(after(wood, {GLFW_KEY_1 + static_cast<int>(i)})->document().look == static_cast<Look>(i));
+    CHECK(after(R"({"view": "terrain"})", {GLFW_KEY_5})->document().look == Look::lit);
+    CHECK(after(plain, {GLFW_KEY_V})->document().request.view == render::View(render::Horizon()));
+    for (const auto& [times, view] :
+         {std::pair(1u, "horizon"), {2u, "sphere"}, {3u, "torus"}, {4u, "flat"}}) {
+        const auto session = after(wood, std::vector<int>(times, GLFW_KEY_V));
+        CHECK(session->document().request.material == "wood"); // other views have none
+        CHECK(std::get<std::string>(*render::parameter("view").get(session->document().request)) == view);
+    }
+    CHECK(after(plain, {GLFW_KEY_F})->document().request.filter);
+    CHECK_FALSE(after(plain, {GLFW_KEY_F, GLFW_KEY_F})->document().request.filter);
+    CHECK(after(plain, {GLFW_KEY_C, GLFW_KEY_C})->document().colours == 2);
+    CHECK(after(plain, {GLFW_KEY_C, GLFW_KEY_C, GLFW_KEY_C, GLFW_KEY_C, GLFW_KEY_C, GLFW_KEY_C})
+              ->document()
+              .colours == 0);
+    CHECK(after(plain, {GLFW_KEY_N, GLFW_KEY_N})->document().request.seed == 2);
+    CHECK(after(tile, {GLFW_KEY_T})->tiles);
+    CHECK(after(plain, {GLFW_KEY_P})->gallery);
+    CHECK(after(plain, {GLFW_KEY_SPACE})->playing);
+    CHECK_FALSE(after(plain, {GLFW_KEY_H})->panels);
+    CHECK(after(plain, {GLFW_KEY_F1})->help);
+    CHECK(after(plain, {GLFW_KEY_F11})->full_screen);
+    CHECK_FALSE(after(plain, {GLFW_KEY_F1, GLFW_KEY_P, GLFW_KEY_ESCAPE})->help);
+    CHECK_FALSE(after(plain, {GLFW_KEY_P, GLFW_KEY_ESCAPE})->gallery);
+    CHECK(after(plain, {GLFW_KEY_TAB})->photograph_beside); // there is no photograph
+    CHECK(after(plain, {GLFW_KEY_HOME})->document() == document_from_json(plain));
+    CHECK(after(plain, {GLFW_KEY_RIGHT, GLFW_KEY_EQUAL, GLFW_KEY_HOME})->document() ==
+          document_from_json(plain));
+    for (const auto& [json, key, message] :
+         {std::tuple(plain, GLFW_KEY_T, "Make the picture tileable first"),
+          {R"({"view": "terrain"})", GLFW_KEY_F, "Nothing can be filtered here"},
+          {wood, GLFW_KEY_C, "This view has its own colours"},
+          {wood, GLFW_KEY_SPACE, "Nothing here changes with time"}}) {
+        const auto session = after(json, {key});
+        CHECK(session->message.text == message);
+        CHECK(session->document() == document_from_json(json));
+        CHECK_FALSE((session->tiles || session->playing));
+    }
+    CHECK(after(plain, {GLFW_KEY_O}, true)->dialog.value().action == "Open");
+    CHECK(after(plain, {GLFW_KEY_S}, true)->dialog.value().action == "Save");
+    CHECK(after(plain, {GLFW_KEY_Q}, true)->closing == Closing::asked);
+    CHECK(after(plain, {GLFW_KEY_N, GLFW_KEY_3}, true)->document() ==
+          document_from_json(plain)); // not with Ctrl
+    CHECK(after(plain, {GLFW_KEY_C}, true)->message.text == "copied GLSL that draws this view");
+    for (const auto& [keys, seed] : {std::pair(std::vector{GLFW_KEY_Z}, 1u),
+                                     {std::vector{GLFW_KEY_Z, GLFW_KEY_Z}, 0u},
+                                     {std::vector{GLFW_KEY_Z, GLFW_KEY_Y}, 2u}}) {
+        const NoWindow none;
+        Session session(document_of({}), "");
+        for (std::uint32_t i = 1; i <= 2; ++i) {
+            session.document().request.seed = i;
+            session.history.commit();
+        }
+        ImGui::GetIO().KeyCtrl = true;
+        for (const int key : keys)
+            press(key, [&] { handle_input(session, 800, 600); });
+        CHECK(session.document().request.seed == seed);
+        ImGui::GetIO().KeyShift = true; // now Z goes forwards
+        press(GLFW_KEY_Z, [&] { handle_input(session, 800, 600); });
+        CHECK(session.document().request.seed == std::min(seed + 1, 2u));
+    }
+}
+
+TEST_CASE("a slider covers the usual values, and a double click resets it") {
+    for (const auto& [low, middle] : {std::pair(1.0, 10.0), {0.0, 50.0}}) { // logarithmic above 0
+        const NoWindow none;
+        double value = 7;
+        bool changed = false;
+        ImVec2 first, last;
+        const auto draw = [&] {
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize({600, 300});
+            ImGui::Begin("panels");
+            changed |= number_slider("number", value, {-1000, 1000}, {low, 100}, 3);
+            first = ImGui::GetItemRectMin();
+            last = {first.x + ImGui::CalcItemWidth(), first.y + 4};
+            ImGui::End();
+        };
+        frame({0, 0}, draw);
+        drag({first.x + 20, last.y}, {first.x, last.y}, draw);
+        CHECK(value == low);
+        drag({first.x + 40, last.y}, {last.x, last.y}, draw);
+        CHECK(value == 100);
+        drag({first.x + 60, last.y}, {(first.x + last.x) / 2, last.y}, draw);
+        CHECK(value == Approx(middle).epsilon(0.03));
+        CHECK(std::exchange(changed, false));
+        for (const bool down : {true, false, true, false}) {
+            ImGui::GetIO().MouseDown[0] = down;
+            frame({first.x + 80, last.y}, draw);
+        }
+        CHECK(value == 3);
+        CHECK(changed);
+    }
+}
+
+TEST_CASE("files are listed by their endings, in order and without hidden ones, and folders are entered") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-dialog";
+    std::filesystem::create_directories(folder / "sub");
+    for (const char* name : {"b.json", "a.JSON", "c.exr", "d.png", ".hidden.json", "e.txt", "sub/f.json"})
+        std::ofstream(folder / name) << R"({"seed": 5})";
+    const NoWindow none;
+    Session session(document_of({}), "");
+    session.document().path = (folder / "mine.json").string();
+    const auto shown = [&] {
+        for (int i = 0; i < 2; ++i)
+            frame({0, 0}, [&] { dialog_window(session); });
+        return std::pair(session.dialog.value().folders, session.dialog.value().files);
+    };
+    using Names = std::vector<std::string>;
+    ask_for_file(session);
+    CHECK(shown() == std::pair(Names{"sub"}, Names{"a.JSON", "b.json", "c.exr", "d.png"}));
+    session.dialog.value().name = "sub";
+    answer_dialog(session);
+    CHECK(session.dialog.value().name.empty());
+    CHECK(shown() == std::pair(Names{}, Names{"f.json"}));
+    answer_dialog(session); // an empty name chooses nothing
+    session.dialog.value().name = "..";
+    answer_dialog(session);
+    CHECK(session.dialog.value().folder == folder);
+    session.dialog.value().name = "b.json";
+    answer_dialog(session);
+    CHECK_FALSE(session.dialog);
+    CHECK(session.document().request.seed == 5);
+    for (const auto& [ask, files] : {std::pair(&ask_where_to_save, Names{"a.JSON", "b.json"}),
+                                     {&ask_for_paint, Names{"c.exr", "d.png"}},
+                                     {&ask_for_photograph, Names{"c.exr", "d.png"}},
+                                     {&ask_where_to_export, Names{"c.exr"}}}) {
+        ask(session);
+        CHECK(shown().second == files);
+        cancel_dialog(session);
+    }
+    set_parameter(session.document(), "material", std::string("wood"));
+    ask_where_to_export(session); // maps go to a folder
+    CHECK(shown() == std::pair(Names{"sub"}, Names{}));
+    CHECK(session.dialog.value().folder_wanted);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("files that the session did not write are named before they are replaced") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-replaced";
+    std::filesystem::create_directories(folder);
+    const auto path = [&](const char* name) { return (folder / name).string(); };
+    for (const char* name : {"a.0001.exr", "a.0002.png", "a.0003.exr", "a.0003.png"})
+        std::ofstream(path(name)) << "mine";
+    const NoWindow none;
+    Session session(document_of({}), "");
+    session.export_target = {.path = path("a.exr"), .chosen = ExportAs::frames, .frames = 2};
+    const auto asked = [&] {
+        start_export(session);
+        const std::string text = session.question ? session.question->text : "";
+        answer(session, {});
+        return text;
+    };
+    CHECK(asked() == fmt::format("Overwrite {} and {}? This session did not write them from this document.",
+                                 path("a.0001.exr"), path("a.0002.png")));
+    session.export_target.frames = 3;
+    CHECK(asked() ==
+          fmt::format("Overwrite {} and {} and 2 more? This session did not write them from this document.",
+                      path("a.0001.exr"), path("a.0002.png")));
+    session.export_target.path = path("a.png");
+    CHECK(asked().empty());
+    CHECK(session.message.text == "the name of an export must end in .exr");
+    session.document().path = path("a.0001.exr"); // is saved as a.0001.json
+    write_preset(session);
+    CHECK(has_file(session.document()));
+    CHECK(session.document().path == path("a.0001.json"));
+    CHECK_FALSE(is_changed(session));
+    CHECK(session.recent == std::vector{path("a.0001.json")});
+    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a ramp keeps two colours") {
@@ -277,7 +670,41 @@ TEST_CASE("a colour stays between its neighbours") {
         }
 }
 
-TEST_CASE("another number of lobes leaves a photograph's noise where it is") {
+TEST_CASE("a photograph larger than a screen is shown as the means of squares") {
+    constexpr int width = 4100, height = 131, square = 3;
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-large.png";
+    std::mt19937 random(3);
+    std::vector<float> colours;
+    for (int i = 0; i < 3 * width * height; ++i)
+        colours.push_back(static_cast<float>(random() >> 8 & 255) / 255);
+    image::PngWriter png(path, width, height, 3);
+    png.write_rows(colours);
+    png.commit();
+    Fitter fitter;
+    fitter.open(path.string());
+    fitter.set_lobes(1);
+    do {
+        fitter.poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (fitter.running());
+    fitter.poll();
+    std::filesystem::remove(path);
+    REQUIRE(fitter.photograph());
+    const Photograph& seen = *fitter.photograph();
+    CHECK(seen.square == square);
+    REQUIRE(seen.grid == Extent{width / square, height / square});
+    for (const auto& [x, y] : {std::pair(0, 0), {7, 20}, {width / square - 1, height / square - 1}})
+        for (int c = 0; c < 3; ++c) {
+            float mean = 0;
+            for (int i = 0; i < square * square; ++i)
+                mean += colours[static_cast<std::size_t>(
+                            3 * ((square * y + i / square) * width + square * x + i % square) + c)] /
+                        (square * square);
+            CHECK(seen.pixels[static_cast<std::size_t>(3 * (y * seen.grid.width + x) + c)] == Approx(mean));
+        }
+}
+
+TEST_CASE("a photograph's noise replaces the document's, and another number of lobes leaves it where it is") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-photograph.png";
     constexpr int side = 128;
     std::mt19937 random(3);
@@ -300,11 +727,61 @@ TEST_CASE("another number of lobes leaves a photograph's noise where it is") {
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         } while (session.fitter.running());
     };
+    Document& document = session.document();
+    document.output = Output::phase;
+    document.contrast = 5;
+    document.colours = 3;
     open_photograph(session, path.string());
     fit(1);
     std::filesystem::remove(path);
     REQUIRE(session.fitted);
-    Document& document = session.document();
+    CHECK(document.output == Output::value);
+    CHECK(document.contrast == Document().contrast);
+    CHECK(document.colours == 3);
+    CHECK(document.path == std::filesystem::path(path).replace_extension(".json"));
+    CHECK(document.photograph == path);
+    CHECK(session.recent.front() == path);
+    CHECK(document.request.width == side);
+    CHECK(session.export_target.of(document).as == ExportAs::picture);
+
+    CHECK(shows_photograph(session));
+    for (const auto& change :
+         std::vector<std::function<void(Document&)>>{[](Document& d) { d.request.lobes[0].frequency *= 1.1; },
+                                                     [](Document& d) { d.output = Output::lit; },
+                                                     [](Document& d) { d.request.view = render::Horizon(); },
+                                                     [](Document& d) { d.request.time = 0.5; }}) {
+        const Document kept = document;
+        change(document);
+        CHECK_FALSE(fitted_glsl(session)); // which draws only what was fitted
+        CHECK(shows_photograph(session) == std::holds_alternative<render::Plane>(document.request.view));
+        document = kept;
+    }
+    document.request.seed = 41;
+    document.request.filter = true;
+    document.request.width = 99;
+    CHECK(fitted_glsl(session).value().find("_seed = 41u;") != std::string::npos);
+
+    // The divider moves alone, and each side zooms about its own middle.
+    const auto input = [&] { handle_input(session, 800, 600); };
+    const Camera still = document.camera;
+    for (const auto& [x, share] :
+         {std::pair(600.0f, 0.75f), {20.0f, 0.1f}, {790.0f, 0.9f}, {600.0f, 0.75f}}) {
+        drag({800 * session.divider + 3, 300}, {x, 310}, input);
+        CHECK(session.divider == share);
+    }
+    CHECK(document.camera == still);
+    for (const auto& [pointer, middle] : {std::pair(200.0f, 300.0f), {650.0f, 700.0f}}) {
+        const auto place = [&] {
+            return static_cast<double>(document.camera.x.whole) + document.camera.x.part +
+                   double{pointer - middle} / (document.request.scale * document.camera.zoom);
+        };
+        const double pointed = place();
+        ImGui::GetIO().MouseWheel = 3;
+        frame({pointer, 300}, input);
+        CHECK(document.camera != still);
+        CHECK(place() == Approx(pointed));
+    }
+    document.camera = still;
     document.camera = document.camera.moved(3.25, -1.5);
     const double scale = document.request.scale;
     const auto pixel = [&](const Coordinate& c) {
@@ -312,6 +789,8 @@ TEST_CASE("another number of lobes leaves a photograph's noise where it is") {
     };
     const std::array before{pixel(document.camera.x), pixel(document.camera.y)};
     fit(6);
+    CHECK(document.request.seed == 41);
+    CHECK(document.request.filter);
     CHECK(document.request.scale != scale);
     CHECK(pixel(document.camera.x) == Approx(before[0]));
     CHECK(pixel(document.camera.y) == Approx(before[1]));
