@@ -1,5 +1,5 @@
 """Compares the packages of tools/package with the texts that they are made of, and uses them in an empty folder:
-test_packages.py [-v] nodes|npm|pypi|vcpkg|benchmark|release"""
+test_packages.py [-v] nodes|npm|module|pypi|vcpkg|benchmark|release"""
 
 import importlib.util
 import json
@@ -22,6 +22,8 @@ import reference  # noqa: E402
 from scene import ROOT, SHADERS, in_cpp  # noqa: E402
 from version import VERSION  # noqa: E402
 
+HERE = pathlib.Path(__file__).resolve().parent
+MATERIALS = "wood", "fabric", "leather", "marble", "sand", "brushed_metal", "scratches", "zebra", "bark", "carbon_fibre", "strata"
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
 MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
@@ -148,42 +150,143 @@ console.log(typeof gabor.gabor_noise);
         self.assertEqual(run("node", "noise.mjs", cwd=project), "function\n")
 
 
-class Pypi(Package):
-    """Uses the wheel in a new virtual environment."""
+class Python(Folder):
+    """Compares the Python module's values with the reference, and with the headers that it wraps: other tests compare those with it."""
 
     USE = """
 import sys, numpy as np, gabor_noise
-assert gabor_noise.__file__.startswith(sys.prefix), gabor_noise.__file__
+from gabor_noise import *
 y, x = (np.mgrid[0:256, 0:256] + 0.5) / 32
 common = dict(frequency=4.0, orientation=np.float32(0.7854), seed=7)
-gradient = gabor_noise.noise_gradient(x, y, **common)
+gradient = noise_gradient(x, y, **common)
 pictures = {
-    "noise": gabor_noise.noise(x, y, **common),
-    "complex": gabor_noise.noise_complex(x, y, **common)[..., 0],
+    "noise": noise(x, y, **common),
+    "complex": noise_complex(x, y, **common)[..., 0],
     "gradient": gradient @ np.float32([1, 1 / 32, 2 / 32]),
-    "tiled": gabor_noise.noise(x, y, period=(2, 1), **common),
-    "animated": gabor_noise.noise(x, y, time=0.3, **common),
-    "stripes": gabor_noise.stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
+    "tiled": noise(x, y, period=(2, 1), **common),
+    "animated": noise(x, y, time=0.3, **common),
+    "stripes": stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
 }
 assert all(each.dtype == np.float32 for each in pictures.values())
 np.savez("pictures.npz", **pictures)
-np.save("solid.npy", gabor_noise.noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
-hills = gabor_noise.terrain(x, y, seed=7, octaves=0)
-mountains = gabor_noise.terrain(x, y, seed=7)
-badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4,
-                               detail=1.2, uniformity=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-island = gabor_noise.terrain(x, y, seed=7, period=8)
-np.save("terrain.npy", [hills, mountains, badlands, island])
-filtered = gabor_noise.noise_filtered(x, y, (0.1, 0.3), **common)
-np.save("others.npy", [*np.moveaxis(filtered, -1, 0), gabor_noise.noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **common),
-                       gabor_noise.water_height(x, y, seconds=100.3, wind=8, seed=7)])
-np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
+np.save("solid.npy", noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
 for file in sys.argv[1:]:
     name, language = file.split(".")
     language = {"gdshaderinc": "godot", "hpp": "cpp"}.get(language, language)
-    sys.stdout.write(gabor_noise.source(name.removeprefix("gabor_"), language))
+    sys.stdout.write(source(name.removeprefix("gabor_"), language))
 print(gabor_noise.__version__)
 """
+    # Calls with each argument off its default, and the channels that they return, in C++.
+    CALLS = {
+        "noise(x, y, **wave, **place)": "field.noise",
+        "noise_complex(x, y, **wave, **place)": "field.quadrature field.noise",
+        "noise_gradient(x, y, **wave, **place)": "field.noise field.gradient.x field.gradient.y",
+        "noise_filtered(x, y, (0.1, 0.3), **wave, **place)": "filtered.noise filtered.removed",
+        "noise_isotropic(x, y, frequency=-2.5, **place)": "gabor_field_isotropic(place,-2.5f,seed).noise",
+        "noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **wave, **place)":
+            "gabor_field_spread(place,-2.5f,0.6f,0.3f,0.2f,seed).noise",
+        "noise_lobes(x, y, [(2, 0.3, (1, 1.5), 2), Lobe(3, 1.1, 0.5)], **place)": "gabor_field_lobes(place,lobes,seed).noise",
+        "stripes(x, y, 1.5, -0.7, sharpness=3, **place)": "along.x along.y along.z",
+        "noise_3d(x, y, 0.3, frequency=-2.5, direction=(1, 2, -3), **space)": "gabor_field_3d(space,spatial,seed).noise",
+        "noise_3d(x, y, 0.3, frequency=-2.5, **space)": "gabor_field_3d_isotropic(space,-2.5f,seed).noise",
+        "terrain(x, y, seed=7, octaves=0)": "hills.height hills.slope.x hills.slope.y hills.ridge",
+        "terrain(x, y, seed=7)": "mountains.height mountains.slope.x mountains.slope.y mountains.ridge",
+        "terrain(x, y, terrain(x, y, seed=7), seed=8, **rough)": "badlands.height badlands.slope.x badlands.slope.y badlands.ridge",
+        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel=(0.1, 0.3), period=(8, 16), **rough)":
+            "island.height island.slope.x island.slope.y island.ridge",
+        "water(x, y, seconds=100.25, pixel=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
+                                                               "water.fold water.lost.x water.lost.y water.lost.z",
+        "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
+        **{f"material('{name.replace('_', '-')}', x, y, pixel=(0.1, 0.3), period=(6, 4), seed=-9)":
+           " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
+                                                  "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
+    GIVEN = """
+wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), time=0.3), dict(seed=-9, period=(4, 5, 6), time=0.3)
+rough = dict(octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
+             crease_rounding=0.3, gully_weight=0.7, branching=0.8)
+sea = dict(wind=8, direction=0.7, fetch=3e4, seed=-9)
+def channels(made):
+    if isinstance(made, dict):
+        return [each for name, part in made.items()
+                for each in channels(part if part.ndim == 3 else part[..., None])]
+    return list(np.moveaxis(made, -1, 0)) if made.ndim == 3 else [made]
+y, x = y[:64], x[:64]
+np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
+"""
+    CODE = """
+        const std::uint32_t seed = std::uint32_t(-9);
+        const gabor_vec2 dx(0.1f, 0.0f), dy(0.0f, 0.3f), wave = gabor_wave_vector(-2.5f, 0.6f);
+        GaborPlace place = gabor_place_tiled(p, gabor_vec2(6.0f, 9.0f));
+        GaborPlace3d space = gabor_place_3d_tiled(gabor_vec3(p, 0.3f), gabor_vec3(4.0f, 5.0f, 6.0f));
+        place.moment = space.moment = 0.3f;
+        const GaborField field = gabor_field(place, wave, seed), filtered = gabor_field_filtered(place, dx, dy, wave, seed);
+        const gabor_vec3 along = gabor_stripes_of(gabor_field(place, gabor_vec2(1.5f, -0.7f), seed), 3.0f),
+                         spatial = -2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));
+        GaborLobes lobes{};
+        lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
+        lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
+        lobes.count = 2;
+        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f);
+        const GaborWater water = gabor_water_filtered(p, dx, dy, 100.25f, sea, seed);
+        const gabor_ivec2 cell(int(p.x), int(p.y));
+        const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
+        const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f, 16.0f)};
+        const GaborErosion erosion = gabor_erosion(), rough{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
+        const GaborTerrain hills = gabor_terrain_at(ground, none, none, 7u);
+        const GaborTerrain mountains = gabor_eroded_at(ground, none, none, hills, erosion, 7u);
+        GaborTerrain flat = mountains;
+        flat.curvature = gabor_vec3(0.0f);
+        const GaborTerrain badlands = gabor_eroded_at(ground, none, none, flat, rough, 8u);
+        const GaborTerrain base{0.1f, {0.5f, -0.3f}, 0.2f, {0.1f, 0.2f, 0.3f}, {0.0f, 0.0f}};
+        const GaborTerrain island = gabor_eroded_at(tile, dx, dy, base, rough, 8u);
+""" + "".join(f"        const GaborMaterial {name} = gabor_{name}_filtered_at(p, dx, dy, {{6.0f, 4.0f}}, gabor_{name}_default(), seed);\n"
+              for name in MATERIALS)
+
+    def assert_close(self, name, values, expected, bound):
+        difference = np.abs(values - expected)
+        print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
+        self.assertLess(difference.max(), bound)
+
+    def assert_reference(self, *python):
+        """Runs Python with these arguments."""
+        (self.folder / "use.py").write_text(self.USE)
+        said = run(*python, self.folder / "use.py", *(path.name for path in DROP_INS), cwd=self.folder)
+        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
+        with np.load(self.folder / "pictures.npz") as pictures:
+            for function, values in pictures.items():
+                with self.subTest(function):
+                    error, place = reference.largest_difference(function, values)
+                    print(f"{function}: largest difference {error:.2g} at row and column {place}")
+                    self.assertLess(error, 1e-5)
+        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
+        solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
+        self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
+
+
+class Module(Python):
+    """Uses the module without building its wheel, which may need a download."""
+
+    def test_module_has_the_shaders_values(self):
+        run(sys.executable, "-B", ROOT / "tools" / "package", "pypi", "--stage", self.folder / "staged")
+        python = sys.executable, "-B", HERE / "native.py", os.environ["GABOR_PYTHON_NATIVE"], self.folder / "staged"
+        self.assert_reference(*python)
+        (self.folder / "calls.py").write_text(f"{self.USE.partition('common')[0]}CALLS = {list(self.CALLS)}\n{self.GIVEN}")
+        run(*python, self.folder / "calls.py", cwd=self.folder)
+        headers = "".join(f'#include "gabor_{name}.hpp"\n'
+                          for name in ("noise", "spectrum", "filter", "noise_3d", "materials", "erosion", "ocean"))
+        outputs = [(call, output) for call, outputs in self.CALLS.items() for output in outputs.split()]
+        expected = in_cpp(self.folder, headers, [output for _, output in outputs], "-std=c++17", "-O1", "-ffp-contract=off",
+                          "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", code=self.CODE, rows=64)
+        made = np.load(self.folder / "calls.npy")
+        self.assertEqual(made.shape, expected.shape)
+        for (call, output), one, other in zip(outputs, made, expected):
+            with self.subTest(call, output=output):
+                self.assert_close(f"{call}: {output}", one, other, 3e-4 if "gradient" in output else 5e-5)
+        run(*python, HERE / "module_test.py", ROOT / "docs")
+
+
+class Pypi(Package, Python):
+    """Uses the wheel in a new virtual environment."""
 
     def setUp(self):
         os.environ["CXXFLAGS"] = "-DGABOR_INLINE=inline"  # inlining everything would triple the compile time
@@ -201,47 +304,8 @@ print(gabor_noise.__version__)
         python = self.folder / "venv" / "bin" / "python"
         wheel, = (path for path in self.archives if path.suffix == ".whl")
         run(ROOT / "build" / "package-venv" / "bin" / "python", "-m", "pip", "--python", python, "install", "-q",
-            "--disable-pip-version-check", wheel, "pillow")
-        said = run(python, "-I", "-c", self.USE, *(path.name for path in DROP_INS), cwd=self.folder)
-        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
-        with np.load(self.folder / "pictures.npz") as pictures:
-            for function, values in pictures.items():
-                with self.subTest(function):
-                    error, place = reference.largest_difference(function, values)
-                    print(f"{function}: largest difference {error:.2g} at row and column {place}")
-                    self.assertLess(error, 1e-5)
-        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
-        solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
-        self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
-        # Compares the rest with the headers that the module wraps; other tests compare the headers with the reference.
-        parts = [f"{terrain}.{part}" for terrain in ("hills", "mountains", "badlands", "island")
-                 for part in ("height", "slope.x", "slope.y", "ridge")]
-        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "erosion", "ocean"))
-        expected = in_cpp(self.folder, headers, [*parts, *self.OTHERS], "-std=c++17", "-O1", "-ffp-contract=off", "-I",
-                          SHADERS / "translations", code=self.TERRAIN)[:, :256]
-        terrain = np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2)
-        self.assert_close("terrain", terrain, expected[:16].reshape(4, 4, 256, 256), 2e-5)
-        self.assert_close("filter, spread and sea", np.load(self.folder / "others.npy"), expected[16:], 1e-5)
-        run(python, ROOT / "tests" / "packages" / "module_test.py", ROOT / "docs")
-
-    def assert_close(self, name, values, expected, bound):
-        difference = np.abs(values - expected)
-        print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
-        self.assertLess(difference.max(), bound)
-
-    FILTERED = "gabor_noise_filtered(p, gabor_vec2(0.1f, 0.0f), gabor_vec2(0.0f, 0.3f), 4.0f, 0.7854f, 7u)"
-    OTHERS = f"{FILTERED}.x", f"{FILTERED}.y", "gabor_noise_spread(p, 4.0f, 0.7854f, 0.3f, 0.2f, 7u)", "gabor_water_height(p, 100.3f, sea, 7u)"
-    TERRAIN = """
-        static const GaborOcean sea = gabor_ocean(8.0f);
-        const gabor_ivec2 cell(int(p.x), int(p.y));
-        const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
-        const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f)};
-        const GaborErosion erosion = gabor_erosion(), rough{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
-        const GaborTerrain hills = gabor_terrain_at(ground, none, none, 7u);
-        const GaborTerrain mountains = gabor_eroded_at(ground, none, none, hills, erosion, 7u);
-        const GaborTerrain badlands = gabor_eroded_at(ground, none, none, mountains, rough, 8u);
-        const GaborTerrain island = gabor_eroded_at(tile, none, none, gabor_terrain_at(tile, none, none, 7u), erosion, 7u);
-"""
+            "--disable-pip-version-check", wheel)
+        self.assert_reference(python, "-I")
 
 
 class Node(Package):
@@ -615,7 +679,7 @@ class Release(Folder):
             self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// naga", line)], [], name)
 
 # The classes of each test that CTest runs.
-PACKAGES = {"nodes": [*NODES, Folders], "npm": [Npm, Repository], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
+PACKAGES = {"nodes": [*NODES, Folders], "npm": [Npm, Repository], "module": [Module], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
             "release": [Release]}
 
 
