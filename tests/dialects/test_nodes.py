@@ -140,6 +140,43 @@ EROSION = """
     const GaborTerrain expected = gabor_eroded(p, hills, erosion, 7);
 """
 
+# The nodes of MaterialX's graphs, in C++.
+GRAPHS = """#include "gabor_noise.hpp"
+#include "gabor_spectrum.hpp"
+#include "gabor_filter.hpp"
+#include "gabor_materials.hpp"
+#include <algorithm>
+struct Value {
+    float part[4];
+    Value(float all) : part{all, all, all, all} {}
+    Value(float x, float y, float z = 0.0f, float w = 0.0f) : part{x, y, z, w} {}
+    Value(gabor_vec3 v) : Value(v.x, v.y, v.z) {}
+};
+template <typename Operation> Value each(Value a, Value b, Operation operation) {
+    for (int i = 0; i < 4; ++i) a.part[i] = operation(a.part[i], b.part[i]);
+    return a;
+}
+Value add(Value a, Value b) { return each(a, b, [](float x, float y) { return x + y; }); }
+Value subtract(Value a, Value b) { return each(a, b, [](float x, float y) { return x - y; }); }
+Value multiply(Value a, Value b) { return each(a, b, [](float x, float y) { return x * y; }); }
+Value divide(Value a, Value b) { return each(a, b, [](float x, float y) { return x / y; }); }
+Value max(Value a, Value b) { return each(a, b, [](float x, float y) { return std::max(x, y); }); }
+Value min(Value a, Value b) { return each(a, b, [](float x, float y) { return std::min(x, y); }); }
+Value exp(Value a) { return each(a, a, [](float x, float) { return std::exp(x); }); }
+Value clamp(Value a) { return each(a, a, [](float x, float) { return std::min(std::max(x, 0.0f), 1.0f); }); }
+Value extract(Value a, int index) { return a.part[index]; }
+Value combine2(Value a, Value b) { return {a.part[0], b.part[0]}; }
+Value magnitude(Value a) { return std::sqrt(a.part[0] * a.part[0] + a.part[1] * a.part[1]); }
+int gaborseed(int seed, int index) { return int(gabor_lobe_seed(std::uint32_t(seed), index)); }
+Value gaborfield2d(Value p, float frequency, float degrees, int seed) {
+    const GaborField field = gabor_field(gabor_place_at({p.part[0], p.part[1]}),
+                                         gabor_wave_vector(frequency, 0.017453293f * degrees), std::uint32_t(seed));
+    return {field.noise, field.quadrature, field.gradient.x, field.gradient.y};
+}
+Value gaborfield2d(Value p, float frequency, int seed) { return gaborfield2d(p, frequency, 45.0f, seed); }
+float parts(Value a, int i) { return a.part[i]; }
+"""
+
 # Nodes in the languages of engines, which run here as C++. HLSL makes an unsigned 0 of a negative float.
 ENGINES = """#include "gabor_noise.hpp"
 #include <cstring>
@@ -292,6 +329,7 @@ class ByHand(unittest.TestCase):
 
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
+        defined = {each.get("name"): each for each in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_defs.mtlx").iter("nodedef")}
         graphs = {}
         for graph in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_ng.mtlx").getroot().iter("nodegraph"):
             nodes = {each.get("name"): each for each in graph}
@@ -301,7 +339,11 @@ class ByHand(unittest.TestCase):
                     return put.get("interfacename") or put.get("value")
                 node = nodes[put.get("nodename")]
                 return node.tag + "(" + ", ".join(f"{each.get('name')}={value(each)}" for each in node) + ")"
-            graphs[graph.get("name")] = [value(output) for output in graph.findall("output")]
+            graphs[graph.get("name").removeprefix("NG_")] = [value(output) for output in graph.findall("output")]
+            self.assertEqual(graph.get("nodedef"), graph.get("name").replace("NG_", "ND_"))
+            self.assertEqual(*({each.get("name"): each.get("type") for each in of.findall("output")} for of in (graph, defined[graph.get("nodedef")])))
+
+        every = set(graphs)
 
         def combined(parts):
             return parts[0] if len(parts) == 1 else f"combine{len(parts)}({', '.join(f'in{k}={part}' for k, part in enumerate(parts, 1))})"
@@ -311,10 +353,29 @@ class ByHand(unittest.TestCase):
                 return f"extract(in={field}, index={index})"
             noises = [part(0), *(part(0, f"gaborseed(seed=seed, index=-{k})") for k in (1, 2, 3))]
             for count, kind in enumerate(("float", "vector2", "vector3", "vector4"), 1):
-                self.assertEqual(graphs[f"NG_gabornoise{dim}_{kind}"],
+                self.assertEqual(graphs.pop(f"gabornoise{dim}_{kind}"),
                                  [f"add(in1=multiply(in1={combined(noises[:count])}, in2=amplitude), in2=pivot)"])
+                given = f"pivot=pivot, {place}={place}, frequency=frequency, {along}={along}, seed=seed"
+                for of in [kind, kind.replace("vector", "color")][:1 + (count > 2)] if count > 1 else ():
+                    self.assertEqual(graphs.pop(f"gabornoise{dim}_{of}FA"), [f"gabornoise{dim}(amplitude=convert(in=amplitude), {given})"])
+                if count > 2:
+                    self.assertEqual(graphs.pop(f"gabornoise{dim}_color{count}"), [f"convert(in=gabornoise{dim}(amplitude=amplitude, {given}))"])
             parts = [part(0), part(1), combined([part(2), part(3)])] if dim == "2d" else [part(0), combined([part(1), part(2), part(3)])]
-            self.assertEqual(graphs[f"NG_gaborwave{dim}"], parts)
+            self.assertEqual(graphs.pop(f"gaborwave{dim}"), parts)
+        self.assertEqual(set(defined), {f"ND_{name}" for name in (*every, "gaborfield2d", "gaborfield3d", "gaborseed")})
+        self.assertEqual(set(graphs), {"gaborbrushedmetal", "gaborstripes2d"})
+        values = [re.sub(r"\b(\w+)=(?!=)", "", value) for graph in graphs.values() for value in graph]
+        values = [re.sub(r"constant\(([^()]*)\)", r"Value{\1}", re.sub(r"(?<=[ (])([\d.]+, [\d.]+)(?=\))", r"Value{\1}", value)) for value in values]
+        expected = ["metal.colour", "metal.height", "stripes.x", "stripes.y", "stripes.z"]
+        made, wanted = np.split(in_cpp(self.folder, GRAPHS, [f"parts({each}, {i})" for each in (*values, *expected) for i in range(3)], "-std=c++17",
+                                       "-O1", "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
+            const Value texcoord{p.x, p.y};
+            const float frequency = 3.0f, orientation = 30.0f, sharpness = 1.5f;
+            const int seed = -7;
+            const GaborMaterial metal = gabor_brushed_metal(p, std::uint32_t(seed));
+            const gabor_vec3 stripes = gabor_stripes(p, gabor_wave_vector(3.0f, 0.5235988f), 1.5f, std::uint32_t(seed));"""), 2)
+        for one, other in zip(made, wanted):
+            np.testing.assert_allclose(one, other, rtol=0, atol=1e-5 * max(1, other.std()))
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):
