@@ -365,7 +365,7 @@ class ByHand(unittest.TestCase):
         self.assertEqual(set(defined), {f"ND_{name}" for name in (*every, "gaborfield2d", "gaborfield3d", "gaborseed")})
         self.assertEqual(set(graphs), {"gaborbrushedmetal", "gaborstripes2d"})
         values = [re.sub(r"\b(\w+)=(?!=)", "", value) for graph in graphs.values() for value in graph]
-        values = [re.sub(r"constant\(([^()]*)\)", r"Value{\1}", re.sub(r"(?<=[ (])([\d.]+, [\d.]+)(?=\))", r"Value{\1}", value)) for value in values]
+        values = [re.sub(r"(?<= )([\d.]+, [\d.]+)(?=\))", r"Value{\1}", re.sub(r"constant\((.*?)\)", r"Value{\1}", value)) for value in values]
         expected = ["metal.colour", "metal.height", "stripes.x", "stripes.y", "stripes.z"]
         made, wanted = np.split(in_cpp(self.folder, GRAPHS, [f"parts({each}, {i})" for each in (*values, *expected) for i in range(3)], "-std=c++17",
                                        "-O1", "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
