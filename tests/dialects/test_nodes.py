@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from xml.etree import ElementTree
 
@@ -220,6 +221,118 @@ OUTPUTS = {"a": "z_a.y", "b": "z_a.x", "c": "z_c.y", "d": "z_c.x", "e": "z_e.noi
            "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.y", "noise": "godot.y", "quadrature": "godot.x",
            "float(MAKER)": "gabor_unorm(gabor_noise_tiled(p, gabor_vec2(8.0f), 2.5f, 0.5235988f, floatBitsToUint(0.3f)))",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
+
+
+class Interfaces(unittest.TestCase):
+    """The names, types, defaults and ranges of what each node shows its users must be those of tests/golden/nodes.txt.
+    GABOR_GOLDEN=write rewrites that file."""
+
+    maxDiff = None
+
+    def test_are_those_of_the_golden_file(self):
+        found = "".join(f"{line}\n" for kind in (self.unity, self.godot, self.material_maker, self.osl, self.materialx, self.blender) for line in kind())
+        golden = HERE.parent / "golden" / "nodes.txt"
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            golden.write_text(found)
+        self.assertEqual(found, golden.read_text())
+
+    def unity(self):
+        for path in sorted(UNITY.glob("*.shadersubgraph")):
+            graph, *objects = map(json.loads, path.read_text().split("\n\n"))
+            named = {each["m_ObjectId"]: each for each in objects}
+            yield f"Unity: {graph['m_Path']}/{path.stem}, {named[graph['m_OutputNode']['m_Id']]['m_Name']}"
+            for each in (named[each["m_Id"]] for each in graph["m_Properties"]):
+                yield f"    {each['m_Name']} {each['m_Type'].rpartition('.')[2]} {each['m_Value']} {each.get('m_RangeValues')} {each['m_Hidden']}"
+            category, = (each for each in objects if each["m_Type"].endswith("CategoryData"))
+            self.assertEqual(category["m_ChildObjectList"], graph["m_Properties"])
+            for each in (each for each in objects if each["m_Type"].endswith("PropertyNode")):
+                self.assertEqual(named[each["m_Slots"][0]["m_Id"]]["m_DisplayName"], named[each["m_Property"]["m_Id"]]["m_Name"])
+            slots = [named[each["m_Id"]] for each in named[graph["m_OutputNode"]["m_Id"]]["m_Slots"]]
+            yield "    out: " + ", ".join(f"{each['m_DisplayName']} {each['m_Type'].rpartition('.')[2]}" for each in slots)
+
+    def godot(self):
+        """Runs the node's functions: GDScript is nearly Python."""
+        text = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
+        text = re.sub(r"(?m)^(@tool|class_name .*|extends .*)$", "", text)
+        text = re.sub(r"(?m)^const (\w+) :=", r"\1 =", text)
+        text = re.sub(r"(?m)^func (\w+)\((.*?)\) -> [\w.]+:", lambda match: f"def {match[1]}({re.sub(':[^,]*', '', match[2])}):", text)
+        for one, other in (".size()", ".__len__()"), (".is_empty()", " == ''"), ("null", "None"), ("(inputs + outputs)", "tuple(inputs + outputs)"):
+            text = text.replace(one, other)
+        node = {name: name for name in re.findall(r"PORT_TYPE_\w+", text)}
+        shader = type("Shader", (), {name: name for name in ("MODE_CANVAS_ITEM", "MODE_SPATIAL", "MODE_PARTICLES", "MODE_SKY", "MODE_FOG")})
+        node["Shader"] = shader
+        exec(text, node)
+        yield f"Godot: {node['_get_category']()}/{node['_get_name']()} {node['_get_return_icon_type']()}: {node['_get_description']()}"
+        for port in range(node["_get_input_port_count"]()):
+            yield "    " + " ".join(str(node[f"_get_input_port_{what}"](port)) for what in ("name", "type", "default_value"))
+        for port in range(node["_get_output_port_count"]()):
+            yield "    out: " + " ".join(str(node[f"_get_output_port_{what}"](port)) for what in ("name", "type"))
+        yield "    " + node["_get_global_code"]("")
+        for place, mode in ("p", "MODE_SPATIAL"), ("", "MODE_SPATIAL"), ("", "MODE_CANVAS_ITEM"), ("", "MODE_SKY"):
+            yield f"    {mode} {node['_get_code']([place, 'f', 'o', 's'], ['n', 'q'], mode, None)!r}"
+
+    def material_maker(self):
+        node = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())
+        model = node["shader_model"]
+        yield f"Material Maker: {node['type']} {node['name']} {node['parameters']}"
+        for each in (model, *model["parameters"], *model["outputs"]):
+            yield "    " + " ".join(f"{name}={value}" for name, value in each.items() if name not in ("parameters", "outputs", "global", "f") and value != "")
+
+    def osl(self):
+        for path in sorted((NODES / "osl").glob("*.osl")):
+            yield f"OSL: {path.stem}"
+            for line in re.search(r"(?s)^shader \w+\(\n(.*?)\)\n\{", path.read_text(), re.MULTILINE)[1].split("\n"):
+                yield line
+
+    def materialx(self):
+        folder = NODES / "materialx/libraries/gabor"
+        used = {}
+        for node in ElementTree.parse(folder / "gabor_defs.mtlx").iter("nodedef"):
+            self.assertEqual(node.get("name").removeprefix("ND_").partition("_")[0], node.get("node"))
+            yield "MaterialX: " + " ".join(node.attrib.values()) + " -> " + ", ".join(" ".join(each.attrib.values()) for each in node.findall("output"))
+            for put in node.findall("input"):
+                used.setdefault(" ".join(f"{name}={value}" for name, value in put.attrib.items()), []).append(node.get("name").removeprefix("ND_gabor"))
+        for put, nodes in used.items():
+            yield f"    {put}: {' '.join(nodes)}"
+        for path in sorted(folder.glob("*/*_impl.mtlx")):
+            for each in ElementTree.parse(path).iter("implementation"):
+                name, target = each.get("nodedef").removeprefix("ND_"), path.parent.name
+                file = {"genglsl": f"mx_{name}.glsl", "genosl": f"mx_{name}.osl", "genmdl": "gabor/genmdl/mx_gabor.mdl"}[target]
+                self.assertEqual(list(each.attrib.values()), [f"IM_{name}_{target}", f"ND_{name}", file, f"mx_{name}", target])
+
+    def blender(self):
+        from blender_nodes import bpy
+        sys.path.insert(0, str(NODES / "blender"))
+        import gabor_noise
+        operator = gabor_noise.GABOR_OT_add
+        yield f"Blender: {operator.bl_idname} {operator.bl_label}: {operator.__doc__}"
+        gabor_noise.field_group()
+        for name, group in bpy.data.node_groups.items():
+            for each in group.sockets:
+                yield f"    {name}: {' '.join(map(str, vars(each).values()))}"
+        # Adding the node to an editor's tree.
+        tree, menus = type(bpy.data.node_groups[name])(), []
+        old = tree.new("ShaderNodeTexNoise")
+        old.select, tree.active = True, old
+        space = types.SimpleNamespace(type="NODE_EDITOR", tree_type="ShaderNodeTree", edit_tree=tree, cursor_location=(3, 4))
+        context = types.SimpleNamespace(space_data=space)
+        self.assertTrue(operator.poll(context))
+        for name, other in ("type", "VIEW_3D"), ("tree_type", "GeometryNodeTree"), ("edit_tree", None):
+            self.assertFalse(operator.poll(types.SimpleNamespace(space_data=types.SimpleNamespace(**vars(space) | {name: other}))))
+        self.assertEqual(operator.execute(None, context), {"FINISHED"})
+        added = tree.active
+        self.assertEqual((added.kind, added.node_tree, added.location, old.select), ("Group", gabor_noise.field_group(), (3, 4), False))
+        for names in (["NODE_MT_category_shader_texture"], ["NODE_MT_shader_node_add_all", "NODE_MT_category_shader_texture"]):
+            for each in names:
+                setattr(bpy.types, each, menus)
+            bpy.utils = types.SimpleNamespace(register_class=menus.append, unregister_class=menus.remove)
+            gabor_noise.register()
+            self.assertEqual(menus, [operator, gabor_noise.menu])
+            gabor_noise.unregister()
+            self.assertEqual(menus, [])
+        self.assertEqual(gabor_noise.menus(), [menus])
+        gabor_noise.menu(types.SimpleNamespace(layout=types.SimpleNamespace(operator=menus.append)), None)
+        self.assertEqual(menus, ["node.add_gabor_noise"])
 
 
 class ByHand(unittest.TestCase):
