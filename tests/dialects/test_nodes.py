@@ -141,6 +141,19 @@ EROSION = """
     const GaborTerrain expected = gabor_eroded(p, hills, erosion, 7);
 """
 
+# The types and functions of MDL that its module needs, in C++.
+MDL = """#include "gabor_noise.hpp"
+#include "gabor_noise_3d.hpp"
+using float2 = gabor_vec2; using float3 = gabor_vec3; using float4 = gabor_vec4; using color = gabor_vec3;
+struct Right { int bits; };
+int operator>>(int word, Right right) { return int(std::uint32_t(word) >> right.bits); }
+using std::abs; using std::floor; using std::sqrt;
+template <typename T> T min(T a, float b) { return gabor_cpp_min(a, b); }
+template <typename T> T max(T a, float b) { return gabor_cpp_max(a, b); }
+template <typename T> T clamp(T a, float low, float high) { return gabor_cpp_clamp(a, low, high); }
+template <typename T> float dot(T a, T b) { return gabor_cpp_dot(a, b); }
+float rsqrt(float a) { return 1.0f / std::sqrt(a); }
+"""
 # The nodes of MaterialX's graphs, in C++.
 GRAPHS = """#include "gabor_noise.hpp"
 #include "gabor_spectrum.hpp"
@@ -386,6 +399,36 @@ class ByHand(unittest.TestCase):
             *"value.noise value.quadrature value.gradient.x value.gradient.y".split(),
             *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_lobe_seed(9,-2)))".split()]), 2)
         self.assertLess(np.abs(made - expected).max(), 2e-3)
+
+    def test_module_of_materialx(self):
+        """Runs MDL's functions as C++."""
+        folder = packaged("materialx", self.folder / "materialx")
+        text = (folder / "libraries/gabor/genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
+        text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", re.sub(r">>> (\d+)", r">> Right{\1}", text))
+        seeds = ["seed", *(f"int(gabor_lobe_seed(seed,-{k}))" for k in (1, 2, 3))]
+        cases = {"mx_gaborseed(seed,-2)": [seeds[2]]}
+        for dim, given, noise in (("2d", "p,-4.0f,30.0f,seed", "gabor_field(gabor_place_at(p),flat,std::uint32_t({})).noise"),
+                                  ("3d", "place,-4.0f,along,seed", "gabor_field_3d(gabor_place_3d_at(place),solid,std::uint32_t({})).noise")):
+            field = noise.format("seed").removesuffix(".noise")
+            cases[f"mx_gaborfield{dim}({given})"] = [f"{field}.{part}" for part in (
+                "noise quadrature gradient.x gradient.y" if dim == "2d" else "noise gradient.x gradient.y gradient.z").split()]
+            for kind, count in ("float", 1), ("vector2", 2), ("vector3", 3), ("vector4", 4), ("color3", 3):
+                each = "-1.5f,2.0f,0.5f,3.0f".split(",")[:count]
+                several = each[0] if count == 1 else f"float{count}({','.join(each)})"
+                for suffix, amplitude, amplitudes in ("", several, each), ("FA", "-1.5f", count * ["-1.5f"]):
+                    if count > 1 or not suffix:
+                        cases[f"mx_gabornoise{dim}_{kind}{suffix}({amplitude},0.25f,{given})"] = [
+                            f"{one}*{noise.format(seed)}+0.25f" for one, seed in zip(amplitudes, seeds)]
+        parts = [f"float({call})" if len(outputs) == 1 else f"{call}.{part}" for call, outputs in cases.items() for part, _ in zip("xyzw", outputs)]
+        made, expected = np.split(in_cpp(self.folder, f"{MDL}{text}", [*parts, *(f"float({output})" for outputs in cases.values() for output in outputs)],
+                                         "-std=c++17", "-O1", "-fwrapv", "-I", SHADERS / "translations", rows=32, code="""
+            const int seed = 9;
+            const gabor_vec3 place(p, 0.3f), along(2.0f, 4.0f, 6.0f), solid = 4.0f * gabor_impl_unit(along);
+            const gabor_vec2 flat = gabor_wave_vector(4.0f, 0.5235988f);"""), 2)
+        for part, one, other in zip(parts, made, expected):
+            with self.subTest(part):
+                np.testing.assert_allclose(one, other, rtol=1e-6, atol=2e-3 if "field" in part else 1e-4)
+        self.assertEqual({call.partition("(")[0] for call in cases}, set(re.findall(r"(?m)^\w+ (mx_gabor(?:noise|field|seed)\w*)\(", text)))
 
     def test_erosion_in_open_shading_language(self):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_erosion.osl").read_text(), re.MULTILINE)
