@@ -100,8 +100,12 @@ const node = values => { const made = float(0); made.parts = [Float32Array.from(
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
 const field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(4, 0.7854), 7);
 const surface = { normal: gabor.gabor_normal(field.gradient, p, 0.05), slope: field.gradient };
+const metal = gabor.gabor_brushed_metal(p, 7), bare = gabor.gabor_noise_complex(p, -2.5, 0.6, -9);
+const rest = { "complex.x": bare.x, "complex.y": bare.y, unorm: gabor.gabor_unorm(gabor.gabor_noise(p, 2.5, 0.6, gabor.gabor_lobe_seed(-9, 3))),
+               "colour.x": metal.colour.x, "colour.y": metal.colour.y, "colour.z": metal.colour.z, height: metal.height,
+               "tilt.x": metal.slope.x, "tilt.y": metal.slope.y, roughness: metal.roughness.add(p.x.mul(0)), metalness: metal.metalness.add(p.x.mul(0)) };
 const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p),
-                    "3d": gabor.gabor_noise_3d(vec3(p, 0.3), -4, vec3(2, 4, 6), 7),
+                    "3d": gabor.gabor_noise_3d(vec3(p, 0.3), -4, vec3(2, 4, 6), 7), ...rest,
                     ...Object.fromEntries(["normal.x", "normal.y", "normal.z", "slope.x", "slope.y"].map(name => {
                         const [of, part] = name.split(".");
                         return [name, surface[of][part]];
@@ -537,6 +541,7 @@ class ByHand(unittest.TestCase):
         if not shutil.which("node"):
             self.skipTest("node is not installed")
         source = (NODES / "three" / "gabor_noise.tsl.js").read_text()
+        source_types = (NODES / "three" / "gabor_noise.tsl.d.ts").read_text()
         functions = HERE.parent / "engines" / "tsl" / "functions.mjs"
         for name, text in {"functions.mjs": functions.read_text(), "three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
                            "gabor_noise.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
@@ -545,11 +550,25 @@ class ByHand(unittest.TestCase):
         said = subprocess.run(["node", self.folder / "scene.mjs", values], check=True, stdout=subprocess.PIPE, text=True).stdout
         names = json.loads(said)
         pictures = np.split(np.fromfile(values, "<f4"), len(names))
-        for name, picture in list(zip(names, pictures))[:-6]:
+        for name, picture in list(zip(names, pictures))[:-17]:
             with self.subTest(name):
                 self.compare(name, picture)
+        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "materials"))
+        expected = in_cpp(self.folder, headers, [
+            "wave.x", "wave.y", "gabor_unorm(gabor_noise(p,2.5f,0.6f,gabor_lobe_seed(std::uint32_t(-9),3)))", "metal.colour.x", "metal.colour.y",
+            "metal.colour.z", "metal.height", "metal.slope.x", "metal.slope.y", "metal.roughness", "metal.metalness"], "-std=c++17", "-O1",
+            "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
+            const gabor_vec2 wave = gabor_noise_complex(p, -2.5f, 0.6f, std::uint32_t(-9));
+            const GaborMaterial metal = gabor_brushed_metal(p, 7u);""")
+        self.assertEqual(names[-16:-5], "complex.x complex.y unorm colour.x colour.y colour.z height tilt.x tilt.y roughness metalness".split())
+        for name, one, other in zip(names[-16:-5], pictures[-16:-5], expected):
+            with self.subTest(name):
+                np.testing.assert_allclose(one.reshape(32, 256), other, rtol=0, atol=2e-5)
         y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
-        self.assertLess(np.abs(pictures[-6].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
+        self.assertLess(np.abs(pictures[-17].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
+        declared = re.findall(r"(?s)export function (\w+)\((.*?)\):", source_types)
+        self.assertEqual(dict((name, re.sub(r"\??: \w+", "", given)) for name, given in declared),
+                         dict(re.findall(r"(?m)^export const (\w+) = \(?(.*?)\)? =>", source)))
         called = set(re.findall(r"\bgabor\.(gabor_\w+)", functions.read_text() + TSL))
         self.assertEqual(set(re.findall(r"(?m)^export const (\w+)", source)) - called, {"gabor_stripes_of", "gabor_lobe_seed", "gabor_unorm"})
         # The surface shows two kernel radii per unit, and p grows downwards.
