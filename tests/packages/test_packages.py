@@ -16,6 +16,7 @@ import tomllib
 import unittest
 
 import numpy as np
+from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/engines", "tools")]
 import reference  # noqa: E402
@@ -416,11 +417,16 @@ class Blender(Node):
 class Cpp(Node):
     copied = {path.name: f"translations/{path.name}" for path in DROP_INS if path.suffix == ".hpp"}
 
-    def test_the_example_compiles_in_the_package(self):
+    def test_the_example_draws_its_picture(self):
         if not shutil.which("c++"):
             self.skipTest("no C++ compiler")
         self.unpack()
-        run("c++", "-std=c++11", "-fsyntax-only", self.folder / "relief.cpp")
+        run("c++", "-std=c++11", "-O1", "-DGABOR_INLINE=inline", self.folder / "relief.cpp", "-o", self.folder / "relief")
+        drawn = subprocess.run([self.folder / "relief"], check=True, capture_output=True).stdout
+        self.assertEqual(drawn[:15], b"P5 768 256 255\n")
+        with Image.open(SHADERS / "nodes" / "cpp" / "relief.png") as kept:
+            difference = np.abs(np.asarray(kept.convert("L"), float).ravel() - np.frombuffer(drawn[15:], "u1"))
+        self.assertLess(difference.max(), 1.5)
 
 
 class Godot(Node):
