@@ -19,7 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "engines"))
 import metal  # noqa: E402
 import reference  # noqa: E402
-from scene import SHADERS, in_cpp, packaged  # noqa: E402
+from scene import SHADERS, in_cpp, on_vulkan, packaged  # noqa: E402
 
 NODES = SHADERS / "nodes"
 UNITY = NODES / "unity"
@@ -350,6 +350,58 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(gabor_noise.menus(), [menus])
         gabor_noise.menu(types.SimpleNamespace(layout=types.SimpleNamespace(operator=menus.append)), None)
         self.assertEqual(menus, ["node.add_gabor_noise"])
+
+
+# Draws every eighth pixel of a picture of 256 x 256 by code for Shadertoy.
+SHADERTOY = """#version 450
+layout(local_size_x = 8) in;
+layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
+const vec3 iResolution = vec3(256.0, 256.0, 1.0);
+const float iTime = 7.3;
+const vec4 iMouse = vec4(MOUSE);
+CODE
+void main() {
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (pixel.x < 32u && pixel.y < 32u) {
+        vec4 colour;
+        mainImage(colour, 8.0 * vec2(pixel) + 0.5);
+        values[pixel.y * 256u + pixel.x] = dot(colour, vec4(0.3, 0.6, 0.1, 0.0));
+    }
+}
+"""
+
+
+@unittest.skipUnless("GABOR_SCENES" in os.environ and shutil.which("glslangValidator"), "needs a device and glslangValidator")
+class Drawn(unittest.TestCase):
+    """Of Shadertoy's code and of Bevy's example, the sums of rows and columns of pictures must be those of tests/golden/shadertoy.txt. GABOR_GOLDEN=write rewrites that file."""
+
+    def test_pictures(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        golden, lines = HERE.parent / "golden" / "shadertoy.txt", []
+        for path in sorted(packaged("shadertoy", folder / "shadertoy").glob("*.frag")):
+            for mouse in "0.0", "180.0, 90.0, 1.0, 1.0":
+                (folder / "shader.comp").write_text(SHADERTOY.replace("MOUSE", mouse).replace("CODE", path.read_text()))
+                subprocess.run(["glslangValidator", "--quiet", "-V", "-o", folder / "shader.spv", folder / "shader.comp"], check=True)
+                picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].reshape(-1, 256)[:32, :32]
+                sums = np.concatenate([picture.sum(0), picture.sum(1)])
+                lines.append((f"{path.name} {mouse.count(',')}", sums))
+        if shutil.which("naga"):  # Bevy's example, with the modules that it imports
+            modules = [(SHADERS / "translations" / f"gabor_{name}.wgsl").read_text() for name in ("noise", "direction")]
+            example = re.sub("(?m)^#import.*", "", (NODES / "bevy/example/src/stripes.wgsl").read_text())
+            self.assertEqual((example.count("768u"), example.count("fn draw")), (1, 1))
+            (folder / "shader.wgsl").write_text("\n".join([*modules, example.replace("768u", "256u").replace("fn draw", "fn main")]))
+            subprocess.run(["naga", folder / "shader.wgsl", folder / "shader.spv"], check=True, stdout=subprocess.DEVNULL)
+            picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].view("<u4").reshape(-1, 256)[:256]
+            colours = np.stack([picture >> shift & 255 for shift in (0, 8, 16, 24)]) / 2040
+            lines.append(("stripes.wgsl", np.concatenate([colours.mean((0, 2))[::8], colours.mean((0, 1))[::8], colours.mean((1, 2))]) * 256))
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            golden.write_text("".join(f"{name}: {' '.join(f'{each:.2f}' for each in sums)}\n" for name, sums in lines))
+        wanted = dict(line.split(": ") for line in golden.read_text().splitlines())
+        self.assertEqual([name for name, _ in lines], [name for name in wanted if name != "stripes.wgsl" or shutil.which("naga")])
+        for name, sums in lines:
+            with self.subTest(name):
+                self.assertTrue(np.isfinite(sums).all())
+                np.testing.assert_allclose(sums, [float(each) for each in wanted[name].split()], rtol=0, atol=0.2)
 
 
 class ByHand(unittest.TestCase):
