@@ -373,11 +373,11 @@ void main() {
 
 @unittest.skipUnless("GABOR_SCENES" in os.environ and shutil.which("glslangValidator"), "needs a device and glslangValidator")
 class Drawn(unittest.TestCase):
-    """Of Shadertoy's code and of Bevy's example, the sums of rows and columns of pictures must be those of tests/golden/shadertoy.txt. GABOR_GOLDEN=write rewrites that file."""
+    """Of Shadertoy's code and of Bevy's example, the sums of rows and columns of pictures must be those of tests/golden/drawn.txt. GABOR_GOLDEN=write rewrites that file."""
 
     def test_pictures(self):
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        golden, lines = HERE.parent / "golden" / "shadertoy.txt", []
+        golden, lines = HERE.parent / "golden" / "drawn.txt", []
         for path in sorted(packaged("shadertoy", folder / "shadertoy").glob("*.frag")):
             for mouse in "0.0", "180.0, 90.0, 1.0, 1.0":
                 (folder / "shader.comp").write_text(SHADERTOY.replace("MOUSE", mouse).replace("CODE", path.read_text()))

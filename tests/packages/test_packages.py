@@ -516,6 +516,65 @@ NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity, *(type
                                                             for name, included in PLAIN.items())]
 
 
+AUTHORS, ADDRESS = "The gabor-noise authors", "@REPOSITORY@"
+MANIFESTS = {  # what registries and engines read from each
+    "package.json": {
+        "name": "gabor-noise", "version": "@VERSION@", "license": "MIT", "author": AUTHORS, "homepage": f"{ADDRESS}#readme", "type": "module",
+        "repository": {"type": "git", "url": f"git+{ADDRESS}.git"}, "bugs": f"{ADDRESS}/issues", "sideEffects": False,
+        "files": ["index.js", "index.d.ts", "shaders/gabor_*.glsl", "shaders/translations", "shaders/nodes/three"],
+        "exports": {".": "./index.js", "./shaders/*": "./shaders/*", "./package.json": "./package.json"},
+        "peerDependencies": {"three": ">=" + json.loads((ROOT / "tests/engines/three/package.json").read_text())["dependencies"]["three"]},
+        "peerDependenciesMeta": {"three": {"optional": True}}},
+    "shaders/nodes/unity/package.json": {
+        "name": "com.gabor-noise.nodes", "displayName": "Gabor noise", "version": "@VERSION@", "unity": "2021.3", "license": "MIT",
+        "author": {"name": AUTHORS}, "documentationUrl": f"{ADDRESS}#readme", "changelogUrl": f"{ADDRESS}/blob/HEAD/CHANGELOG.md",
+        "licensesUrl": f"{ADDRESS}/blob/HEAD/LICENSE", "repository": {"type": "git", "url": f"git+{ADDRESS}.git"}},
+    "shaders/nodes/bevy/Cargo.toml": {
+        "package": {"name": "bevy_gabor_noise", "version": "@VERSION@", "edition": "2024", "license": "MIT", "authors": [AUTHORS],
+                    "repository": ADDRESS, "readme": "README.md", "categories": ["game-development", "graphics"]},
+        "dependencies": {name: {"version": "0.19", "default-features": False} for name in ("bevy_app", "bevy_shader")},
+        "dev-dependencies": {"bevy_asset": {"version": "0.19", "default-features": False}}},
+    "shaders/nodes/blender/gabor_noise/blender_manifest.toml": {
+        "schema_version": "1.0.0", "id": "gabor_noise", "version": "@VERSION@", "name": "Gabor Noise", "maintainer": AUTHORS, "website": ADDRESS,
+        "type": "add-on", "tags": ["Material", "Node"], "blender_version_min": "4.2.0", "license": ["SPDX:MIT"], "copyright": [f"2026 {AUTHORS}"]},
+    "packages/pypi/pyproject.toml": {
+        "build-system": {"requires": ["scikit-build-core>=0.10", "nanobind>=2.4"], "build-backend": "scikit_build_core.build"},
+        "project": {"name": "gabor-noise", "version": "@VERSION@", "readme": "README.md", "license": "MIT", "license-files": ["LICENSE"],
+                    "authors": [{"name": AUTHORS}], "requires-python": ">=3.9", "dependencies": ["numpy"],
+                    "urls": {"Paper": "https://doi.org/10.2312/egs.20191009", "Repository": ADDRESS, "Issues": f"{ADDRESS}/issues"}},
+        "tool": {"scikit-build": {"minimum-version": "0.10", "wheel.packages": ["gabor_noise"], "wheel.py-api": "cp312",
+                                  "build-dir": "build/{wheel_tag}", "cmake.build-type": "Release"},
+                 "cibuildwheel": {"build": "cp3{9,10,11,12,13,14}-*", "archs": "auto64", "test-requires": "pillow",
+                                  "test-command": "python {project}/tests/module_test.py"}}},
+    "packages/vcpkg/vcpkg.json": {
+        "name": "gabor-noise", "version": "@VERSION@", "homepage": ADDRESS, "license": "MIT",
+        "dependencies": [{"name": name, "host": True} for name in ("vcpkg-cmake", "vcpkg-cmake-config")]},
+}
+
+
+class Manifests(unittest.TestCase):
+    maxDiff = None
+
+    def test_each_says_what_registries_read(self):
+        def plain(value, name=""):
+            """Returns the value without texts for people; TOML nests the names that the table joins."""
+            if not isinstance(value, dict):
+                return value
+            made = {key: plain(each) for key, each in value.items() if key not in ("description", "keywords", "classifiers", "tagline")}
+            return {f"{key}.{inner}" if key in ("wheel", "cmake") else key: each for key, given in made.items()
+                    for inner, each in (given.items() if key in ("wheel", "cmake") else [("", given)])}
+        for name, wanted in MANIFESTS.items():
+            with self.subTest(name):
+                text = (ROOT / name).read_text()
+                found = plain(json.loads(text) if name.endswith(".json") else tomllib.loads(text))
+                self.assertEqual(found, wanted)
+        importers = {"shadersubgraph": "60072b568d64c40a485e0fc55012dc9f"}  # Unity's own id of its importer
+        for path in (SHADERS / "nodes" / "unity").glob("*.meta"):
+            ending = path.name.split(".")[-2]
+            self.assertEqual("type: 3" in path.read_text() and re.search("fileID: 11500000, guid: (\\w+), type: 3", path.read_text())[1],
+                             importers.get(ending, False), path.name)
+
+
 class Folders(unittest.TestCase):
     def test_each_node_has_a_package(self):
         self.assertEqual({each.name or each.__name__.lower() for each in NODES},
@@ -685,7 +744,7 @@ class Release(Folder):
             self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// naga", line)], [], name)
 
 # The classes of each test that CTest runs.
-PACKAGES = {"nodes": [*NODES, Folders], "npm": [Npm, Repository], "module": [Module], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
+PACKAGES = {"nodes": [*NODES, Folders, Manifests], "npm": [Npm, Repository], "module": [Module], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
             "release": [Release]}
 
 
