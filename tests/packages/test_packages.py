@@ -1,6 +1,7 @@
 """Compares the packages of tools/package with the texts that they are made of, and uses them in an empty folder:
 test_packages.py [-v] nodes|npm|module|pypi|vcpkg|benchmark|release"""
 
+import hashlib
 import importlib.util
 import json
 import os
@@ -11,9 +12,11 @@ import shutil
 import struct
 import subprocess
 import sys
+import tarfile
 import tempfile
 import tomllib
 import unittest
+import zipfile
 
 import numpy as np
 from PIL import Image
@@ -669,15 +672,40 @@ out vec4 result;
 
 
 class Repository(unittest.TestCase):
-    def npm_with(self, remote):
+    def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
-        root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py"))
-        (root / "shaders/nodes").mkdir(parents=True)
+        self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py", *more))
+        (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
         run(sys.executable, "-B", root / "tools/package", "npm")
         return json.loads((root / "build/packages/staged/npm/package.json").read_text())
+
+    def test_readmes_link_to_what_the_package_lacks(self):
+        """Also, a package is the same whenever it is built."""
+        folder, base = "shaders/nodes/slang", "https://example.org/somebody/gabor"
+        self.npm_with(f"{base}.git", "shaders/nodes/LICENSE", "shaders/translations/gabor_noise.hlsl", f"{folder}/gabor_noise.slang", f"{folder}/README.md",
+                      "shaders/nodes/unity/package.json", "shaders/nodes/unity/README.md")
+        text = "![seen](../../a.png) [page](../../../docs/b.md) [kept](gabor_noise.slang) [web](https://d) @VERSION@ @REPOSITORY@\n"
+        (self.root / folder / "README.md").write_text(text)
+        sums = []
+        for _ in range(2):
+            archives = [self.root / run(sys.executable, "-B", self.root / "tools/package", name).strip() for name in ("slang", "unity")]
+            sums.append([(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in archives])
+            made = (self.root / "build/packages/staged/slang/README.md").read_text()
+            for path in (self.root / folder).iterdir():
+                os.utime(path, (0, 0))
+        with zipfile.ZipFile(archives[0]) as zipped, tarfile.open(archives[1]) as tarred:
+            self.assertEqual(zipped.namelist(), ["LICENSE", "README.md", "gabor_noise.slang"])
+            self.assertEqual({each.mtime for each in tarred.getmembers()}, {1767225600})
+        self.assertEqual(archives[0].name, f"gabor-noise-slang-{VERSION}.zip")
+        self.assertEqual(sums[0][0], sums[1][0])
+        line, *_, last = made.splitlines()
+        self.assertEqual(line, f"![seen]({base}/raw/HEAD/shaders/a.png) [page]({base}/blob/HEAD/docs/b.md) [kept](gabor_noise.slang) [web](https://d) {VERSION} {base}")
+        self.assertEqual(last, f"[Repository and documentation]({base})")
+        refused = subprocess.run([sys.executable, "-B", self.root / "tools/package", "all", "--stage", self.root], capture_output=True, text=True)
+        self.assertIn("--stage needs one package's name", refused.stderr)
 
     def test_an_address_on_the_web_is_named(self):
         for remote in ("https://example.org/somebody/gabor.git", "git@example.org:somebody/gabor.git"):
