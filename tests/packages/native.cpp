@@ -26,11 +26,11 @@ void gabor_evaluate(const char* name, std::size_t inputs, const double* const* d
         evaluate<double>(name, arrays, {doubles, {size}, {1}}, threads);
 }
 
-void gabor_fill_grid(float* out, std::size_t height, std::size_t width, const double* first, std::size_t count,
-                     const Wave* waves, const std::uint32_t* seeds, const float* period, double time,
-                     std::size_t threads) {
-    fill_grid({out, {height, width}, {}}, {first[0], first[1]}, {waves, waves + count}, {seeds, seeds + count},
-              {period[0], period[1]}, time, threads);
+void gabor_fill_grid(float* out, std::size_t height, std::size_t width, const double* first,
+                     std::size_t count, const Wave* waves, const std::uint32_t* seeds, const float* period,
+                     double time, std::size_t threads) {
+    fill_grid({out, {height, width}, {}}, {first[0], first[1]}, {waves, waves + count},
+              {seeds, seeds + count}, {period[0], period[1]}, time, threads);
 }
 
 std::uint32_t gabor_seed_of_lobe(std::uint32_t seed, int index) {

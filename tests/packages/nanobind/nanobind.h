@@ -1,5 +1,5 @@
-// The part of nanobind that packages/pypi uses, for a library that native.py loads with ctypes: a module's functions are called by
-// native.cpp, and its attributes become Python's literals.
+// The part of nanobind that packages/pypi uses, for a library that native.py loads with ctypes: a module's
+// functions are called by native.cpp, and its attributes become Python's literals.
 
 #include <array>
 #include <cstdint>
@@ -23,18 +23,16 @@ inline std::string literal(bool value) {
     return value ? "True" : "False";
 }
 template <typename Number>
-std::string literal(Number value)
-    requires std::is_arithmetic_v<Number>
-{
+std::string literal(Number value) requires std::is_arithmetic_v<Number> {
     std::ostringstream text;
     text.precision(17);
     text << value;
     return text.str();
 }
 template <typename Values>
-std::string literal(const Values& values)
-    requires requires { values.begin()->operator+(0); } || std::is_arithmetic_v<typename Values::value_type>
-{
+std::string literal(const Values& values) requires requires {
+    values.begin()->operator+(0);
+} || std::is_arithmetic_v<typename Values::value_type> {
     std::string made = "[";
     for (const auto& value : values)
         made += literal(value) + ", ";
