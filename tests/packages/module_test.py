@@ -323,7 +323,8 @@ class Calls(unittest.TestCase):
         common = "seed=0, period=None, time=None, workers=None, dtype=float32"
         wave = f"x, y, frequency=4.0, orientation=0.0, {common}"
         ground = common.replace("time=None, ", "")
-        sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, seed=0, workers=None, dtype=float32"
+        sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell=0.0, swell_period=12.0, swell_direction=0.0, loop=0, " \
+              "seed=0, workers=None, dtype=float32"
         for name, expected in {
                 "image": "shape, scale=32.0, frequency=4.0, orientation=0.0, isotropic=False, frequency_spread=0.0, orientation_spread=0.0, "
                          f"lobes=None, {common}",

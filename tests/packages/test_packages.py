@@ -208,7 +208,7 @@ print(gabor_noise.__version__)
 wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), time=0.3), dict(seed=-9, period=(4, 5, 6), time=0.3)
 rough = dict(octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-sea = dict(wind=8, direction=0.7, fetch=3e4, seed=-9)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell=1.5, swell_period=9, swell_direction=2.1, loop=256, seed=-9)
 def channels(made):
     if isinstance(made, dict):
         return [each for name, part in made.items()
@@ -230,7 +230,7 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
         lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
         lobes.count = 2;
-        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f);
+        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f, {1.5f, 9.0f, 2.1f}, 256);
         const GaborWater water = gabor_water_filtered(p, dx, dy, 100.25f, sea, seed);
         const gabor_ivec2 cell(int(p.x), int(p.y));
         const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
