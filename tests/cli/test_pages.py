@@ -1,6 +1,7 @@
 """Checks that the examples and figures of README.md and docs are true."""
 
 import gzip
+import importlib.util
 import pathlib
 import re
 import sys
@@ -8,6 +9,7 @@ import types
 import unittest
 
 import numpy as np
+from PIL import Image
 
 from exr import Exr
 from program import ProgramTest
@@ -81,6 +83,28 @@ class Engines(ProgramTest):
             difference = np.abs(drawn - picture).max()
             print(f"  {snippet}, y {'up' if upwards else 'down'}: differs by {difference:.1e}")
             self.assertLess(difference, 1e-4, snippet)  # 0.7854 is not quite 45 degrees
+
+    def test_pictures_are_what_tools_gallery_draws(self):
+        """Of pictures that the program alone draws, in a second or less."""
+        script = ROOT / "tools" / "gallery"
+        gallery = {"__file__": str(script), "__name__": "gallery"}
+        exec(script.read_text().removesuffix("main()\n"), gallery)
+        names = ["noise.png", "comparison", "lattice-stripes", "direction-maps", *(f"recipe-{name}" for name in gallery["RECIPES"]),
+                 *(f"gallery/{name}" for name in (*gallery["MATERIALS"], *"noise gradient phasor horizon tiled spread lobes radius painted animated "
+                                                  "slice sphere torus far-material composed reflections".split()))]
+        if not importlib.util.find_spec("moderngl"):
+            names = [name for name in names if name not in ("comparison", "lattice-stripes", "direction-maps", "gallery/composed")]
+        for name in names:
+            drawn = gallery["PICTURES"][name]()
+            ending = "" if "." in name else ".webp" if isinstance(drawn, list) else ".jpg"
+            with self.subTest(name), Image.open(ROOT / "docs" / f"{name}{ending}") as kept:
+                if ending == ".webp":
+                    self.assertEqual((kept.n_frames, kept.info["loop"]), (len(drawn), 0))
+                    kept.seek(5)
+                    drawn = drawn[5]
+                error = 255 * np.abs(np.asarray(kept.convert("RGB")) / 255 - np.clip(drawn, 0, 1)).mean()
+                print(f"{name}: mean difference {error:.2f} of 255")
+                self.assertLess(error, 5)
 
 
 if __name__ == "__main__":

@@ -74,8 +74,15 @@ class Tree:
         self.nodes = self
         self.all = []
         self.links = types.SimpleNamespace(new=lambda source, put: setattr(put, "source", source))
-        self.interface = types.SimpleNamespace(new_socket=lambda *_, **__: types.SimpleNamespace(),
-                                               items_tree={"Orientation": types.SimpleNamespace()})
+        self.sockets = []
+        self.interface = types.SimpleNamespace(new_socket=self.new_socket, items_tree=self)
+
+    def new_socket(self, name, in_out, socket_type):
+        self.sockets.append(types.SimpleNamespace(name=name, in_out=in_out, socket_type=socket_type))
+        return self.sockets[-1]
+
+    def __getitem__(self, name):
+        return next(each for each in self.sockets if each.name == name)
 
     def new(self, kind):
         self.all.append(Node(kind))

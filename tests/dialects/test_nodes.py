@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from xml.etree import ElementTree
 
@@ -18,7 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "engines"))
 import metal  # noqa: E402
 import reference  # noqa: E402
-from scene import SHADERS, in_cpp, packaged  # noqa: E402
+from scene import SHADERS, in_cpp, on_vulkan, packaged  # noqa: E402
 
 NODES = SHADERS / "nodes"
 UNITY = NODES / "unity"
@@ -99,8 +100,12 @@ const node = values => { const made = float(0); made.parts = [Float32Array.from(
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
 const field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(4, 0.7854), 7);
 const surface = { normal: gabor.gabor_normal(field.gradient, p, 0.05), slope: field.gradient };
+const metal = gabor.gabor_brushed_metal(p, 7), bare = gabor.gabor_noise_complex(p, -2.5, 0.6, -9);
+const rest = { "complex.x": bare.x, "complex.y": bare.y, unorm: gabor.gabor_unorm(gabor.gabor_noise(p, 2.5, 0.6, gabor.gabor_lobe_seed(-9, 3))),
+               "colour.x": metal.colour.x, "colour.y": metal.colour.y, "colour.z": metal.colour.z, height: metal.height,
+               "tilt.x": metal.slope.x, "tilt.y": metal.slope.y, roughness: metal.roughness.add(p.x.mul(0)), metalness: metal.metalness.add(p.x.mul(0)) };
 const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p),
-                    "3d": gabor.gabor_noise_3d(vec3(p, 0.3), -4, vec3(2, 4, 6), 7),
+                    "3d": gabor.gabor_noise_3d(vec3(p, 0.3), -4, vec3(2, 4, 6), 7), ...rest,
                     ...Object.fromEntries(["normal.x", "normal.y", "normal.z", "slope.x", "slope.y"].map(name => {
                         const [of, part] = name.split(".");
                         return [name, surface[of][part]];
@@ -138,6 +143,56 @@ EROSION = """
     const GaborTerrain hills = gabor_terrain(p, 7), usual = gabor_eroded(p, hills, gabor_erosion(), 7);
     const GaborErosion erosion{3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f};
     const GaborTerrain expected = gabor_eroded(p, hills, erosion, 7);
+"""
+
+# The types and functions of MDL that its module needs, in C++.
+MDL = """#include "gabor_noise.hpp"
+#include "gabor_noise_3d.hpp"
+using float2 = gabor_vec2; using float3 = gabor_vec3; using float4 = gabor_vec4; using color = gabor_vec3;
+struct Right { int bits; };
+int operator>>(int word, Right right) { return int(std::uint32_t(word) >> right.bits); }
+using std::abs; using std::floor; using std::sqrt;
+template <typename T> T min(T a, float b) { return gabor_cpp_min(a, b); }
+template <typename T> T max(T a, float b) { return gabor_cpp_max(a, b); }
+template <typename T> T clamp(T a, float low, float high) { return gabor_cpp_clamp(a, low, high); }
+template <typename T> float dot(T a, T b) { return gabor_cpp_dot(a, b); }
+float rsqrt(float a) { return 1.0f / std::sqrt(a); }
+"""
+# The nodes of MaterialX's graphs, in C++.
+GRAPHS = """#include "gabor_noise.hpp"
+#include "gabor_spectrum.hpp"
+#include "gabor_filter.hpp"
+#include "gabor_materials.hpp"
+#include <algorithm>
+struct Value {
+    float part[4];
+    Value(float all) : part{all, all, all, all} {}
+    Value(float x, float y, float z = 0.0f, float w = 0.0f) : part{x, y, z, w} {}
+    Value(gabor_vec3 v) : Value(v.x, v.y, v.z) {}
+};
+template <typename Operation> Value each(Value a, Value b, Operation operation) {
+    for (int i = 0; i < 4; ++i) a.part[i] = operation(a.part[i], b.part[i]);
+    return a;
+}
+Value add(Value a, Value b) { return each(a, b, [](float x, float y) { return x + y; }); }
+Value subtract(Value a, Value b) { return each(a, b, [](float x, float y) { return x - y; }); }
+Value multiply(Value a, Value b) { return each(a, b, [](float x, float y) { return x * y; }); }
+Value divide(Value a, Value b) { return each(a, b, [](float x, float y) { return x / y; }); }
+Value max(Value a, Value b) { return each(a, b, [](float x, float y) { return std::max(x, y); }); }
+Value min(Value a, Value b) { return each(a, b, [](float x, float y) { return std::min(x, y); }); }
+Value exp(Value a) { return each(a, a, [](float x, float) { return std::exp(x); }); }
+Value clamp(Value a) { return each(a, a, [](float x, float) { return std::min(std::max(x, 0.0f), 1.0f); }); }
+Value extract(Value a, int index) { return a.part[index]; }
+Value combine2(Value a, Value b) { return {a.part[0], b.part[0]}; }
+Value magnitude(Value a) { return std::sqrt(a.part[0] * a.part[0] + a.part[1] * a.part[1]); }
+int gaborseed(int seed, int index) { return int(gabor_lobe_seed(std::uint32_t(seed), index)); }
+Value gaborfield2d(Value p, float frequency, float degrees, int seed) {
+    const GaborField field = gabor_field(gabor_place_at({p.part[0], p.part[1]}),
+                                         gabor_wave_vector(frequency, 0.017453293f * degrees), std::uint32_t(seed));
+    return {field.noise, field.quadrature, field.gradient.x, field.gradient.y};
+}
+Value gaborfield2d(Value p, float frequency, int seed) { return gaborfield2d(p, frequency, 45.0f, seed); }
+float parts(Value a, int i) { return a.part[i]; }
 """
 
 # Nodes in the languages of engines, which run here as C++. HLSL makes an unsigned 0 of a negative float.
@@ -183,6 +238,170 @@ OUTPUTS = {"a": "z_a.y", "b": "z_a.x", "c": "z_c.y", "d": "z_c.x", "e": "z_e.noi
            "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.y", "noise": "godot.y", "quadrature": "godot.x",
            "float(MAKER)": "gabor_unorm(gabor_noise_tiled(p, gabor_vec2(8.0f), 2.5f, 0.5235988f, floatBitsToUint(0.3f)))",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
+
+
+class Interfaces(unittest.TestCase):
+    """The names, types, defaults and ranges of what each node shows its users must be those of tests/golden/nodes.txt.
+    GABOR_GOLDEN=write rewrites that file."""
+
+    maxDiff = None
+
+    def test_are_those_of_the_golden_file(self):
+        found = "".join(f"{line}\n" for kind in (self.unity, self.godot, self.material_maker, self.osl, self.materialx, self.blender) for line in kind())
+        golden = HERE.parent / "golden" / "nodes.txt"
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            golden.write_text(found)
+        self.assertEqual(found, golden.read_text())
+
+    def unity(self):
+        for path in sorted(UNITY.glob("*.shadersubgraph")):
+            graph, *objects = map(json.loads, path.read_text().split("\n\n"))
+            named = {each["m_ObjectId"]: each for each in objects}
+            yield f"Unity: {graph['m_Path']}/{path.stem}, {named[graph['m_OutputNode']['m_Id']]['m_Name']}"
+            for each in (named[each["m_Id"]] for each in graph["m_Properties"]):
+                yield f"    {each['m_Name']} {each['m_Type'].rpartition('.')[2]} {each['m_Value']} {each.get('m_RangeValues')} {each['m_Hidden']}"
+            category, = (each for each in objects if each["m_Type"].endswith("CategoryData"))
+            self.assertEqual(category["m_ChildObjectList"], graph["m_Properties"])
+            for each in (each for each in objects if each["m_Type"].endswith("PropertyNode")):
+                self.assertEqual(named[each["m_Slots"][0]["m_Id"]]["m_DisplayName"], named[each["m_Property"]["m_Id"]]["m_Name"])
+            slots = [named[each["m_Id"]] for each in named[graph["m_OutputNode"]["m_Id"]]["m_Slots"]]
+            yield "    out: " + ", ".join(f"{each['m_DisplayName']} {each['m_Type'].rpartition('.')[2]}" for each in slots)
+
+    def godot(self):
+        """Runs the node's functions: GDScript is nearly Python."""
+        text = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
+        text = re.sub(r"(?m)^(@tool|class_name .*|extends .*)$", "", text)
+        text = re.sub(r"(?m)^const (\w+) :=", r"\1 =", text)
+        text = re.sub(r"(?m)^func (\w+)\((.*?)\) -> [\w.]+:", lambda match: f"def {match[1]}({re.sub(':[^,]*', '', match[2])}):", text)
+        for one, other in (".size()", ".__len__()"), (".is_empty()", " == ''"), ("null", "None"), ("(inputs + outputs)", "tuple(inputs + outputs)"):
+            text = text.replace(one, other)
+        node = {name: name for name in re.findall(r"PORT_TYPE_\w+", text)}
+        shader = type("Shader", (), {name: name for name in ("MODE_CANVAS_ITEM", "MODE_SPATIAL", "MODE_PARTICLES", "MODE_SKY", "MODE_FOG")})
+        node["Shader"] = shader
+        exec(text, node)
+        yield f"Godot: {node['_get_category']()}/{node['_get_name']()} {node['_get_return_icon_type']()}: {node['_get_description']()}"
+        for port in range(node["_get_input_port_count"]()):
+            yield "    " + " ".join(str(node[f"_get_input_port_{what}"](port)) for what in ("name", "type", "default_value"))
+        for port in range(node["_get_output_port_count"]()):
+            yield "    out: " + " ".join(str(node[f"_get_output_port_{what}"](port)) for what in ("name", "type"))
+        yield "    " + node["_get_global_code"]("")
+        for place, mode in ("p", "MODE_SPATIAL"), ("", "MODE_SPATIAL"), ("", "MODE_CANVAS_ITEM"), ("", "MODE_SKY"):
+            yield f"    {mode} {node['_get_code']([place, 'f', 'o', 's'], ['n', 'q'], mode, None)!r}"
+
+    def material_maker(self):
+        node = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())
+        model = node["shader_model"]
+        yield f"Material Maker: {node['type']} {node['name']} {node['parameters']}"
+        for each in (model, *model["parameters"], *model["outputs"]):
+            yield "    " + " ".join(f"{name}={value}" for name, value in each.items() if name not in ("parameters", "outputs", "global", "f") and value != "")
+
+    def osl(self):
+        for path in sorted((NODES / "osl").glob("*.osl")):
+            yield f"OSL: {path.stem}"
+            for line in re.search(r"(?s)^shader \w+\(\n(.*?)\)\n\{", path.read_text(), re.MULTILINE)[1].split("\n"):
+                yield line
+
+    def materialx(self):
+        folder = NODES / "materialx/libraries/gabor"
+        used = {}
+        for node in ElementTree.parse(folder / "gabor_defs.mtlx").iter("nodedef"):
+            self.assertEqual(node.get("name").removeprefix("ND_").partition("_")[0], node.get("node"))
+            yield "MaterialX: " + " ".join(node.attrib.values()) + " -> " + ", ".join(" ".join(each.attrib.values()) for each in node.findall("output"))
+            for put in node.findall("input"):
+                used.setdefault(" ".join(f"{name}={value}" for name, value in put.attrib.items()), []).append(node.get("name").removeprefix("ND_gabor"))
+        for put, nodes in used.items():
+            yield f"    {put}: {' '.join(nodes)}"
+        for path in sorted(folder.glob("*/*_impl.mtlx")):
+            for each in ElementTree.parse(path).iter("implementation"):
+                name, target = each.get("nodedef").removeprefix("ND_"), path.parent.name
+                file = {"genglsl": f"mx_{name}.glsl", "genosl": f"mx_{name}.osl", "genmdl": "gabor/genmdl/mx_gabor.mdl"}[target]
+                self.assertEqual(list(each.attrib.values()), [f"IM_{name}_{target}", f"ND_{name}", file, f"mx_{name}", target])
+
+    def blender(self):
+        from blender_nodes import bpy
+        sys.path.insert(0, str(NODES / "blender"))
+        import gabor_noise
+        operator = gabor_noise.GABOR_OT_add
+        yield f"Blender: {operator.bl_idname} {operator.bl_label}: {operator.__doc__}"
+        gabor_noise.field_group()
+        for name, group in bpy.data.node_groups.items():
+            for each in group.sockets:
+                yield f"    {name}: {' '.join(map(str, vars(each).values()))}"
+        # Adding the node to an editor's tree.
+        tree, menus = type(bpy.data.node_groups[name])(), []
+        old = tree.new("ShaderNodeTexNoise")
+        old.select, tree.active = True, old
+        space = types.SimpleNamespace(type="NODE_EDITOR", tree_type="ShaderNodeTree", edit_tree=tree, cursor_location=(3, 4))
+        context = types.SimpleNamespace(space_data=space)
+        self.assertTrue(operator.poll(context))
+        for name, other in ("type", "VIEW_3D"), ("tree_type", "GeometryNodeTree"), ("edit_tree", None):
+            self.assertFalse(operator.poll(types.SimpleNamespace(space_data=types.SimpleNamespace(**vars(space) | {name: other}))))
+        self.assertEqual(operator.execute(None, context), {"FINISHED"})
+        added = tree.active
+        self.assertEqual((added.kind, added.node_tree, added.location, old.select), ("Group", gabor_noise.field_group(), (3, 4), False))
+        for names in (["NODE_MT_category_shader_texture"], ["NODE_MT_shader_node_add_all", "NODE_MT_category_shader_texture"]):
+            for each in names:
+                setattr(bpy.types, each, menus)
+            bpy.utils = types.SimpleNamespace(register_class=menus.append, unregister_class=menus.remove)
+            gabor_noise.register()
+            self.assertEqual(menus, [operator, gabor_noise.menu])
+            gabor_noise.unregister()
+            self.assertEqual(menus, [])
+        self.assertEqual(gabor_noise.menus(), [menus])
+        gabor_noise.menu(types.SimpleNamespace(layout=types.SimpleNamespace(operator=menus.append)), None)
+        self.assertEqual(menus, ["node.add_gabor_noise"])
+
+
+# Draws every eighth pixel of a picture of 256 x 256 by code for Shadertoy.
+SHADERTOY = """#version 450
+layout(local_size_x = 8) in;
+layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
+const vec3 iResolution = vec3(256.0, 256.0, 1.0);
+const float iTime = 7.3;
+const vec4 iMouse = vec4(MOUSE);
+CODE
+void main() {
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (pixel.x < 32u && pixel.y < 32u) {
+        vec4 colour;
+        mainImage(colour, 8.0 * vec2(pixel) + 0.5);
+        values[pixel.y * 256u + pixel.x] = dot(colour, vec4(0.3, 0.6, 0.1, 0.0));
+    }
+}
+"""
+
+
+@unittest.skipUnless("GABOR_SCENES" in os.environ and shutil.which("glslangValidator"), "needs a device and glslangValidator")
+class Drawn(unittest.TestCase):
+    """Of Shadertoy's code and of Bevy's example, the sums of rows and columns of pictures must be those of tests/golden/drawn.txt. GABOR_GOLDEN=write rewrites that file."""
+
+    def test_pictures(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        golden, lines = HERE.parent / "golden" / "drawn.txt", []
+        for path in sorted(packaged("shadertoy", folder / "shadertoy").glob("*.frag")):
+            for mouse in "0.0", "180.0, 90.0, 1.0, 1.0":
+                (folder / "shader.comp").write_text(SHADERTOY.replace("MOUSE", mouse).replace("CODE", path.read_text()))
+                subprocess.run(["glslangValidator", "--quiet", "-V", "-o", folder / "shader.spv", folder / "shader.comp"], check=True)
+                picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].reshape(-1, 256)[:32, :32]
+                sums = np.concatenate([picture.sum(0), picture.sum(1)])
+                lines.append((f"{path.name} {mouse.count(',')}", sums))
+        if shutil.which("naga"):  # Bevy's example, with the modules that it imports
+            modules = [(SHADERS / "translations" / f"gabor_{name}.wgsl").read_text() for name in ("noise", "direction")]
+            example = re.sub("(?m)^#import.*", "", (NODES / "bevy/example/src/stripes.wgsl").read_text())
+            self.assertEqual((example.count("768u"), example.count("fn draw")), (1, 1))
+            (folder / "shader.wgsl").write_text("\n".join([*modules, example.replace("768u", "256u").replace("fn draw", "fn main")]))
+            subprocess.run(["naga", folder / "shader.wgsl", folder / "shader.spv"], check=True, stdout=subprocess.DEVNULL)
+            picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].view("<u4").reshape(-1, 256)[:256]
+            colours = np.stack([picture >> shift & 255 for shift in (0, 8, 16, 24)]) / 2040
+            lines.append(("stripes.wgsl", np.concatenate([colours.mean((0, 2))[::8], colours.mean((0, 1))[::8], colours.mean((1, 2))]) * 256))
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            golden.write_text("".join(f"{name}: {' '.join(f'{each:.2f}' for each in sums)}\n" for name, sums in lines))
+        wanted = dict(line.split(": ") for line in golden.read_text().splitlines())
+        self.assertEqual([name for name, _ in lines], [name for name in wanted if name != "stripes.wgsl" or shutil.which("naga")])
+        for name, sums in lines:
+            with self.subTest(name):
+                self.assertTrue(np.isfinite(sums).all())
+                np.testing.assert_allclose(sums, [float(each) for each in wanted[name].split()], rtol=0, atol=0.2)
 
 
 class ByHand(unittest.TestCase):
@@ -236,6 +455,36 @@ class ByHand(unittest.TestCase):
             *"value.noise value.quadrature value.gradient.x value.gradient.y".split(),
             *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_lobe_seed(9,-2)))".split()]), 2)
         self.assertLess(np.abs(made - expected).max(), 2e-3)
+
+    def test_module_of_materialx(self):
+        """Runs MDL's functions as C++."""
+        folder = packaged("materialx", self.folder / "materialx")
+        text = (folder / "libraries/gabor/genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
+        text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", re.sub(r">>> (\d+)", r">> Right{\1}", text))
+        seeds = ["seed", *(f"int(gabor_lobe_seed(seed,-{k}))" for k in (1, 2, 3))]
+        cases = {"mx_gaborseed(seed,-2)": [seeds[2]]}
+        for dim, given, noise in (("2d", "p,-4.0f,30.0f,seed", "gabor_field(gabor_place_at(p),flat,std::uint32_t({})).noise"),
+                                  ("3d", "place,-4.0f,along,seed", "gabor_field_3d(gabor_place_3d_at(place),solid,std::uint32_t({})).noise")):
+            field = noise.format("seed").removesuffix(".noise")
+            cases[f"mx_gaborfield{dim}({given})"] = [f"{field}.{part}" for part in (
+                "noise quadrature gradient.x gradient.y" if dim == "2d" else "noise gradient.x gradient.y gradient.z").split()]
+            for kind, count in ("float", 1), ("vector2", 2), ("vector3", 3), ("vector4", 4), ("color3", 3):
+                each = "-1.5f,2.0f,0.5f,3.0f".split(",")[:count]
+                several = each[0] if count == 1 else f"float{count}({','.join(each)})"
+                for suffix, amplitude, amplitudes in ("", several, each), ("FA", "-1.5f", count * ["-1.5f"]):
+                    if count > 1 or not suffix:
+                        cases[f"mx_gabornoise{dim}_{kind}{suffix}({amplitude},0.25f,{given})"] = [
+                            f"{one}*{noise.format(seed)}+0.25f" for one, seed in zip(amplitudes, seeds)]
+        parts = [f"float({call})" if len(outputs) == 1 else f"{call}.{part}" for call, outputs in cases.items() for part, _ in zip("xyzw", outputs)]
+        made, expected = np.split(in_cpp(self.folder, f"{MDL}{text}", [*parts, *(f"float({output})" for outputs in cases.values() for output in outputs)],
+                                         "-std=c++17", "-O1", "-fwrapv", "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=2, code="""
+            const int seed = 9;
+            const gabor_vec3 place(p, 0.3f), along(2.0f, 4.0f, 6.0f), solid = 4.0f * gabor_impl_unit(along);
+            const gabor_vec2 flat = gabor_wave_vector(4.0f, 0.5235988f);"""), 2)
+        for part, one, other in zip(parts, made, expected):
+            with self.subTest(part):
+                np.testing.assert_allclose(one, other, rtol=1e-6, atol=2e-3 if "field" in part else 1e-4)
+        self.assertEqual({call.partition("(")[0] for call in cases}, set(re.findall(r"(?m)^\w+ (mx_gabor(?:noise|field|seed)\w*)\(", text)))
 
     def test_erosion_in_open_shading_language(self):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_erosion.osl").read_text(), re.MULTILINE)
@@ -292,6 +541,7 @@ class ByHand(unittest.TestCase):
 
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
+        defined = {each.get("name"): each for each in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_defs.mtlx").iter("nodedef")}
         graphs = {}
         for graph in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_ng.mtlx").getroot().iter("nodegraph"):
             nodes = {each.get("name"): each for each in graph}
@@ -301,7 +551,11 @@ class ByHand(unittest.TestCase):
                     return put.get("interfacename") or put.get("value")
                 node = nodes[put.get("nodename")]
                 return node.tag + "(" + ", ".join(f"{each.get('name')}={value(each)}" for each in node) + ")"
-            graphs[graph.get("name")] = [value(output) for output in graph.findall("output")]
+            graphs[graph.get("name").removeprefix("NG_")] = [value(output) for output in graph.findall("output")]
+            self.assertEqual(graph.get("nodedef"), graph.get("name").replace("NG_", "ND_"))
+            self.assertEqual(*({each.get("name"): each.get("type") for each in of.findall("output")} for of in (graph, defined[graph.get("nodedef")])))
+
+        every = set(graphs)
 
         def combined(parts):
             return parts[0] if len(parts) == 1 else f"combine{len(parts)}({', '.join(f'in{k}={part}' for k, part in enumerate(parts, 1))})"
@@ -311,15 +565,35 @@ class ByHand(unittest.TestCase):
                 return f"extract(in={field}, index={index})"
             noises = [part(0), *(part(0, f"gaborseed(seed=seed, index=-{k})") for k in (1, 2, 3))]
             for count, kind in enumerate(("float", "vector2", "vector3", "vector4"), 1):
-                self.assertEqual(graphs[f"NG_gabornoise{dim}_{kind}"],
+                self.assertEqual(graphs.pop(f"gabornoise{dim}_{kind}"),
                                  [f"add(in1=multiply(in1={combined(noises[:count])}, in2=amplitude), in2=pivot)"])
+                given = f"pivot=pivot, {place}={place}, frequency=frequency, {along}={along}, seed=seed"
+                for of in [kind, kind.replace("vector", "color")][:1 + (count > 2)] if count > 1 else ():
+                    self.assertEqual(graphs.pop(f"gabornoise{dim}_{of}FA"), [f"gabornoise{dim}(amplitude=convert(in=amplitude), {given})"])
+                if count > 2:
+                    self.assertEqual(graphs.pop(f"gabornoise{dim}_color{count}"), [f"convert(in=gabornoise{dim}(amplitude=amplitude, {given}))"])
             parts = [part(0), part(1), combined([part(2), part(3)])] if dim == "2d" else [part(0), combined([part(1), part(2), part(3)])]
-            self.assertEqual(graphs[f"NG_gaborwave{dim}"], parts)
+            self.assertEqual(graphs.pop(f"gaborwave{dim}"), parts)
+        self.assertEqual(set(defined), {f"ND_{name}" for name in (*every, "gaborfield2d", "gaborfield3d", "gaborseed")})
+        self.assertEqual(set(graphs), {"gaborbrushedmetal", "gaborstripes2d"})
+        values = [re.sub(r"\b(\w+)=(?!=)", "", value) for graph in graphs.values() for value in graph]
+        values = [re.sub(r"(?<= )([\d.]+, [\d.]+)(?=\))", r"Value{\1}", re.sub(r"constant\((.*?)\)", r"Value{\1}", value)) for value in values]
+        expected = ["metal.colour", "metal.height", "stripes.x", "stripes.y", "stripes.z"]
+        made, wanted = np.split(in_cpp(self.folder, GRAPHS, [f"parts({each}, {i})" for each in (*values, *expected) for i in range(3)], "-std=c++17",
+                                       "-O1", "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
+            const Value texcoord{p.x, p.y};
+            const float frequency = 3.0f, orientation = 30.0f, sharpness = 1.5f;
+            const int seed = -7;
+            const GaborMaterial metal = gabor_brushed_metal(p, std::uint32_t(seed));
+            const gabor_vec3 stripes = gabor_stripes(p, gabor_wave_vector(3.0f, 0.5235988f), 1.5f, std::uint32_t(seed));"""), 2)
+        for one, other in zip(made, wanted):
+            np.testing.assert_allclose(one, other, rtol=0, atol=1e-5 * max(1, other.std()))
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):
             self.skipTest("node is not installed")
         source = (NODES / "three" / "gabor_noise.tsl.js").read_text()
+        source_types = (NODES / "three" / "gabor_noise.tsl.d.ts").read_text()
         functions = HERE.parent / "engines" / "tsl" / "functions.mjs"
         for name, text in {"functions.mjs": functions.read_text(), "three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
                            "gabor_noise.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
@@ -328,13 +602,27 @@ class ByHand(unittest.TestCase):
         said = subprocess.run(["node", self.folder / "scene.mjs", values], check=True, stdout=subprocess.PIPE, text=True).stdout
         names = json.loads(said)
         pictures = np.split(np.fromfile(values, "<f4"), len(names))
-        for name, picture in list(zip(names, pictures))[:-6]:
+        for name, picture in list(zip(names, pictures))[:-17]:
             with self.subTest(name):
                 self.compare(name, picture)
+        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "materials"))
+        expected = in_cpp(self.folder, headers, [
+            "wave.x", "wave.y", "gabor_unorm(gabor_noise(p,2.5f,0.6f,gabor_lobe_seed(std::uint32_t(-9),3)))", "metal.colour.x", "metal.colour.y",
+            "metal.colour.z", "metal.height", "metal.slope.x", "metal.slope.y", "metal.roughness", "metal.metalness"], "-std=c++17", "-O1",
+            "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
+            const gabor_vec2 wave = gabor_noise_complex(p, -2.5f, 0.6f, std::uint32_t(-9));
+            const GaborMaterial metal = gabor_brushed_metal(p, 7u);""")
+        self.assertEqual(names[-16:-5], "complex.x complex.y unorm colour.x colour.y colour.z height tilt.x tilt.y roughness metalness".split())
+        for name, one, other in zip(names[-16:-5], pictures[-16:-5], expected):
+            with self.subTest(name):
+                np.testing.assert_allclose(one.reshape(32, 256), other, rtol=0, atol=2e-5)
         y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
-        self.assertLess(np.abs(pictures[-6].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
+        self.assertLess(np.abs(pictures[-17].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
+        declared = re.findall(r"(?s)export function (\w+)\((.*?)\):", source_types)
+        self.assertEqual(dict((name, re.sub(r"\??: \w+", "", given)) for name, given in declared),
+                         dict(re.findall(r"(?m)^export const (\w+) = \(?(.*?)\)? =>", source)))
         called = set(re.findall(r"\bgabor\.(gabor_\w+)", functions.read_text() + TSL))
-        self.assertEqual(set(re.findall(r"(?m)^export const (\w+)", source)) - called, {"gabor_stripes_of", "gabor_lobe_seed", "gabor_unorm"})
+        self.assertEqual(set(re.findall(r"(?m)^export const (\w+)", source)) - called, {"gabor_stripes_of"})
         # The surface shows two kernel radii per unit, and p grows downwards.
         normal, slope = np.array(pictures[-5:-2], float), 0.05 * 2 * np.array(pictures[-2:], float)
         wanted = np.array([-slope[0], slope[1], np.ones_like(slope[0])]) / np.sqrt(1 + (slope**2).sum(0))

@@ -28,7 +28,7 @@ BEFORE
 int main(int, char** argv)
 {
     std::vector<float> values;
-    for (int i = 0; i < 256 * 257; ++i) {
+    for (int i = 0; i < 256 * ROWS; ++i) {
         const gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
         CODE
         values.insert(values.end(), {VALUES});
@@ -112,8 +112,8 @@ def run_cpp(folder, source, *options):
     return np.fromfile(values, "<u4"), made.stderr
 
 
-def in_cpp(folder, before, values, *options, code=""):
-    """Returns the values of C++ expressions of p at all points of the scene, a picture for each. `before` is the text before the
-    program's main function, and `code` that before the expressions."""
-    source = CPP.replace("BEFORE", before).replace("CODE", code).replace("VALUES", ", ".join(values))
-    return run_cpp(folder, source, *options)[0].view("<f4").reshape(257, 256, len(values)).transpose(2, 0, 1)
+def in_cpp(folder, before, values, *options, code="", rows=257):
+    """Returns the values of C++ expressions of p at all points of the scene, or of its first rows, a picture for each. `before` is the
+    text before the program's main function, and `code` that before the expressions."""
+    source = CPP.replace("BEFORE", before).replace("CODE", code).replace("VALUES", ", ".join(values)).replace("ROWS", str(rows))
+    return run_cpp(folder, source, *options)[0].view("<f4").reshape(rows, 256, len(values)).transpose(2, 0, 1)

@@ -1,6 +1,7 @@
 """Compares the packages of tools/package with the texts that they are made of, and uses them in an empty folder:
-test_packages.py [-v] nodes|npm|pypi|vcpkg|benchmark|release"""
+test_packages.py [-v] nodes|npm|module|pypi|vcpkg|benchmark|release"""
 
+import hashlib
 import importlib.util
 import json
 import os
@@ -11,17 +12,22 @@ import shutil
 import struct
 import subprocess
 import sys
+import tarfile
 import tempfile
 import tomllib
 import unittest
+import zipfile
 
 import numpy as np
+from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/engines", "tools")]
 import reference  # noqa: E402
 from scene import ROOT, SHADERS, in_cpp  # noqa: E402
 from version import VERSION  # noqa: E402
 
+HERE = pathlib.Path(__file__).resolve().parent
+MATERIALS = "wood", "fabric", "leather", "marble", "sand", "brushed_metal", "scratches", "zebra", "bark", "carbon_fibre", "strata"
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
 MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
@@ -148,42 +154,143 @@ console.log(typeof gabor.gabor_noise);
         self.assertEqual(run("node", "noise.mjs", cwd=project), "function\n")
 
 
-class Pypi(Package):
-    """Uses the wheel in a new virtual environment."""
+class Python(Folder):
+    """Compares the Python module's values with the reference, and with the headers that it wraps: other tests compare those with it."""
 
     USE = """
 import sys, numpy as np, gabor_noise
-assert gabor_noise.__file__.startswith(sys.prefix), gabor_noise.__file__
+from gabor_noise import *
 y, x = (np.mgrid[0:256, 0:256] + 0.5) / 32
 common = dict(frequency=4.0, orientation=np.float32(0.7854), seed=7)
-gradient = gabor_noise.noise_gradient(x, y, **common)
+gradient = noise_gradient(x, y, **common)
 pictures = {
-    "noise": gabor_noise.noise(x, y, **common),
-    "complex": gabor_noise.noise_complex(x, y, **common)[..., 0],
+    "noise": noise(x, y, **common),
+    "complex": noise_complex(x, y, **common)[..., 0],
     "gradient": gradient @ np.float32([1, 1 / 32, 2 / 32]),
-    "tiled": gabor_noise.noise(x, y, period=(2, 1), **common),
-    "animated": gabor_noise.noise(x, y, time=0.3, **common),
-    "stripes": gabor_noise.stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
+    "tiled": noise(x, y, period=(2, 1), **common),
+    "animated": noise(x, y, time=0.3, **common),
+    "stripes": stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
 }
 assert all(each.dtype == np.float32 for each in pictures.values())
 np.savez("pictures.npz", **pictures)
-np.save("solid.npy", gabor_noise.noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
-hills = gabor_noise.terrain(x, y, seed=7, octaves=0)
-mountains = gabor_noise.terrain(x, y, seed=7)
-badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4,
-                               detail=1.2, uniformity=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-island = gabor_noise.terrain(x, y, seed=7, period=8)
-np.save("terrain.npy", [hills, mountains, badlands, island])
-filtered = gabor_noise.noise_filtered(x, y, (0.1, 0.3), **common)
-np.save("others.npy", [*np.moveaxis(filtered, -1, 0), gabor_noise.noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **common),
-                       gabor_noise.water_height(x, y, seconds=100.3, wind=8, seed=7)])
-np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
+np.save("solid.npy", noise_3d(x, y, 0.3, frequency=4.0, direction=(1, 2, 3), seed=7))
 for file in sys.argv[1:]:
     name, language = file.split(".")
     language = {"gdshaderinc": "godot", "hpp": "cpp"}.get(language, language)
-    sys.stdout.write(gabor_noise.source(name.removeprefix("gabor_"), language))
+    sys.stdout.write(source(name.removeprefix("gabor_"), language))
 print(gabor_noise.__version__)
 """
+    # Calls with each argument off its default, and the channels that they return, in C++.
+    CALLS = {
+        "noise(x, y, **wave, **place)": "field.noise",
+        "noise_complex(x, y, **wave, **place)": "field.quadrature field.noise",
+        "noise_gradient(x, y, **wave, **place)": "field.noise field.gradient.x field.gradient.y",
+        "noise_filtered(x, y, (0.1, 0.3), **wave, **place)": "filtered.noise filtered.removed",
+        "noise_isotropic(x, y, frequency=-2.5, **place)": "gabor_field_isotropic(place,-2.5f,seed).noise",
+        "noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **wave, **place)":
+            "gabor_field_spread(place,-2.5f,0.6f,0.3f,0.2f,seed).noise",
+        "noise_lobes(x, y, [(2, 0.3, (1, 1.5), 2), Lobe(3, 1.1, 0.5)], **place)": "gabor_field_lobes(place,lobes,seed).noise",
+        "stripes(x, y, 1.5, -0.7, sharpness=3, **place)": "along.x along.y along.z",
+        "noise_3d(x, y, 0.3, frequency=-2.5, direction=(1, 2, -3), **space)": "gabor_field_3d(space,spatial,seed).noise",
+        "noise_3d(x, y, 0.3, frequency=-2.5, **space)": "gabor_field_3d_isotropic(space,-2.5f,seed).noise",
+        "terrain(x, y, seed=7, octaves=0)": "hills.height hills.slope.x hills.slope.y hills.ridge",
+        "terrain(x, y, seed=7)": "mountains.height mountains.slope.x mountains.slope.y mountains.ridge",
+        "terrain(x, y, terrain(x, y, seed=7), seed=8, **rough)": "badlands.height badlands.slope.x badlands.slope.y badlands.ridge",
+        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel=(0.1, 0.3), period=(8, 16), **rough)":
+            "island.height island.slope.x island.slope.y island.ridge",
+        "water(x, y, seconds=100.25, pixel=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
+                                                               "water.fold water.lost.x water.lost.y water.lost.z",
+        "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
+        **{f"material('{name.replace('_', '-')}', x, y, pixel=(0.1, 0.3), period=(6, 4), seed=-9)":
+           " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
+                                                  "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
+    GIVEN = """
+wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), time=0.3), dict(seed=-9, period=(4, 5, 6), time=0.3)
+rough = dict(octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
+             crease_rounding=0.3, gully_weight=0.7, branching=0.8)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell=1.5, swell_period=9, swell_direction=2.1, loop=256, seed=-9)
+def channels(made):
+    if isinstance(made, dict):
+        return [each for name, part in made.items()
+                for each in channels(part if part.ndim == 3 else part[..., None])]
+    return list(np.moveaxis(made, -1, 0)) if made.ndim == 3 else [made]
+y, x = y[:64], x[:64]
+np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
+"""
+    CODE = """
+        const std::uint32_t seed = std::uint32_t(-9);
+        const gabor_vec2 dx(0.1f, 0.0f), dy(0.0f, 0.3f), wave = gabor_wave_vector(-2.5f, 0.6f);
+        GaborPlace place = gabor_place_tiled(p, gabor_vec2(6.0f, 9.0f));
+        GaborPlace3d space = gabor_place_3d_tiled(gabor_vec3(p, 0.3f), gabor_vec3(4.0f, 5.0f, 6.0f));
+        place.moment = space.moment = 0.3f;
+        const GaborField field = gabor_field(place, wave, seed), filtered = gabor_field_filtered(place, dx, dy, wave, seed);
+        const gabor_vec3 along = gabor_stripes_of(gabor_field(place, gabor_vec2(1.5f, -0.7f), seed), 3.0f),
+                         spatial = -2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));
+        GaborLobes lobes{};
+        lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
+        lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
+        lobes.count = 2;
+        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f, {1.5f, 9.0f, 2.1f}, 256);
+        const GaborWater water = gabor_water_filtered(p, dx, dy, 100.25f, sea, seed);
+        const gabor_ivec2 cell(int(p.x), int(p.y));
+        const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
+        const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f, 16.0f)};
+        const GaborErosion erosion = gabor_erosion(), rough{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
+        const GaborTerrain hills = gabor_terrain_at(ground, none, none, 7u);
+        const GaborTerrain mountains = gabor_eroded_at(ground, none, none, hills, erosion, 7u);
+        GaborTerrain flat = mountains;
+        flat.curvature = gabor_vec3(0.0f);
+        const GaborTerrain badlands = gabor_eroded_at(ground, none, none, flat, rough, 8u);
+        const GaborTerrain base{0.1f, {0.5f, -0.3f}, 0.2f, {0.1f, 0.2f, 0.3f}, {0.0f, 0.0f}};
+        const GaborTerrain island = gabor_eroded_at(tile, dx, dy, base, rough, 8u);
+""" + "".join(f"        const GaborMaterial {name} = gabor_{name}_filtered_at(p, dx, dy, {{6.0f, 4.0f}}, gabor_{name}_default(), seed);\n"
+              for name in MATERIALS)
+
+    def assert_close(self, name, values, expected, bound):
+        difference = np.abs(values - expected)
+        print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
+        self.assertLess(difference.max(), bound)
+
+    def assert_reference(self, *python):
+        """Runs Python with these arguments."""
+        (self.folder / "use.py").write_text(self.USE)
+        said = run(*python, self.folder / "use.py", *(path.name for path in DROP_INS), cwd=self.folder)
+        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
+        with np.load(self.folder / "pictures.npz") as pictures:
+            for function, values in pictures.items():
+                with self.subTest(function):
+                    error, place = reference.largest_difference(function, values)
+                    print(f"{function}: largest difference {error:.2g} at row and column {place}")
+                    self.assertLess(error, 1e-5)
+        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
+        solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
+        self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
+
+
+class Module(Python):
+    """Uses the module without building its wheel, which may need a download."""
+
+    def test_module_has_the_shaders_values(self):
+        run(sys.executable, "-B", ROOT / "tools" / "package", "pypi", "--stage", self.folder / "staged")
+        python = sys.executable, "-B", HERE / "native.py", os.environ["GABOR_PYTHON_NATIVE"], self.folder / "staged"
+        self.assert_reference(*python)
+        (self.folder / "calls.py").write_text(f"{self.USE.partition('common')[0]}CALLS = {list(self.CALLS)}\n{self.GIVEN}")
+        run(*python, self.folder / "calls.py", cwd=self.folder)
+        headers = "".join(f'#include "gabor_{name}.hpp"\n'
+                          for name in ("noise", "spectrum", "filter", "noise_3d", "materials", "erosion", "ocean"))
+        outputs = [(call, output) for call, outputs in self.CALLS.items() for output in outputs.split()]
+        expected = in_cpp(self.folder, headers, [output for _, output in outputs], "-std=c++17", "-O1", "-ffp-contract=off",
+                          "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", code=self.CODE, rows=64)
+        made = np.load(self.folder / "calls.npy")
+        self.assertEqual(made.shape, expected.shape)
+        for (call, output), one, other in zip(outputs, made, expected):
+            with self.subTest(call, output=output):
+                self.assert_close(f"{call}: {output}", one, other, 3e-4 if "gradient" in output else 5e-5)
+        run(*python, HERE / "module_test.py", ROOT / "docs")
+
+
+class Pypi(Package, Python):
+    """Uses the wheel in a new virtual environment."""
 
     def setUp(self):
         os.environ["CXXFLAGS"] = "-DGABOR_INLINE=inline"  # inlining everything would triple the compile time
@@ -201,47 +308,8 @@ print(gabor_noise.__version__)
         python = self.folder / "venv" / "bin" / "python"
         wheel, = (path for path in self.archives if path.suffix == ".whl")
         run(ROOT / "build" / "package-venv" / "bin" / "python", "-m", "pip", "--python", python, "install", "-q",
-            "--disable-pip-version-check", wheel, "pillow")
-        said = run(python, "-I", "-c", self.USE, *(path.name for path in DROP_INS), cwd=self.folder)
-        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
-        with np.load(self.folder / "pictures.npz") as pictures:
-            for function, values in pictures.items():
-                with self.subTest(function):
-                    error, place = reference.largest_difference(function, values)
-                    print(f"{function}: largest difference {error:.2g} at row and column {place}")
-                    self.assertLess(error, 1e-5)
-        y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
-        solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
-        self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
-        # Compares the rest with the headers that the module wraps; other tests compare the headers with the reference.
-        parts = [f"{terrain}.{part}" for terrain in ("hills", "mountains", "badlands", "island")
-                 for part in ("height", "slope.x", "slope.y", "ridge")]
-        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "erosion", "ocean"))
-        expected = in_cpp(self.folder, headers, [*parts, *self.OTHERS], "-std=c++17", "-O1", "-ffp-contract=off", "-I",
-                          SHADERS / "translations", code=self.TERRAIN)[:, :256]
-        terrain = np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2)
-        self.assert_close("terrain", terrain, expected[:16].reshape(4, 4, 256, 256), 2e-5)
-        self.assert_close("filter, spread and sea", np.load(self.folder / "others.npy"), expected[16:], 1e-5)
-        run(python, ROOT / "tests" / "packages" / "module_test.py", ROOT / "docs")
-
-    def assert_close(self, name, values, expected, bound):
-        difference = np.abs(values - expected)
-        print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
-        self.assertLess(difference.max(), bound)
-
-    FILTERED = "gabor_noise_filtered(p, gabor_vec2(0.1f, 0.0f), gabor_vec2(0.0f, 0.3f), 4.0f, 0.7854f, 7u)"
-    OTHERS = f"{FILTERED}.x", f"{FILTERED}.y", "gabor_noise_spread(p, 4.0f, 0.7854f, 0.3f, 0.2f, 7u)", "gabor_water_height(p, 100.3f, sea, 7u)"
-    TERRAIN = """
-        static const GaborOcean sea = gabor_ocean(8.0f);
-        const gabor_ivec2 cell(int(p.x), int(p.y));
-        const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
-        const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f)};
-        const GaborErosion erosion = gabor_erosion(), rough{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
-        const GaborTerrain hills = gabor_terrain_at(ground, none, none, 7u);
-        const GaborTerrain mountains = gabor_eroded_at(ground, none, none, hills, erosion, 7u);
-        const GaborTerrain badlands = gabor_eroded_at(ground, none, none, mountains, rough, 8u);
-        const GaborTerrain island = gabor_eroded_at(tile, none, none, gabor_terrain_at(tile, none, none, 7u), erosion, 7u);
-"""
+            "--disable-pip-version-check", wheel)
+        self.assert_reference(python, "-I")
 
 
 class Node(Package):
@@ -352,11 +420,16 @@ class Blender(Node):
 class Cpp(Node):
     copied = {path.name: f"translations/{path.name}" for path in DROP_INS if path.suffix == ".hpp"}
 
-    def test_the_example_compiles_in_the_package(self):
+    def test_the_example_draws_its_picture(self):
         if not shutil.which("c++"):
             self.skipTest("no C++ compiler")
         self.unpack()
-        run("c++", "-std=c++11", "-fsyntax-only", self.folder / "relief.cpp")
+        run("c++", "-std=c++11", "-O1", "-DGABOR_INLINE=inline", self.folder / "relief.cpp", "-o", self.folder / "relief")
+        drawn = subprocess.run([self.folder / "relief"], check=True, capture_output=True).stdout
+        self.assertEqual(drawn[:15], b"P5 768 256 255\n")
+        with Image.open(SHADERS / "nodes" / "cpp" / "relief.png") as kept:
+            difference = np.abs(np.asarray(kept.convert("L"), float).ravel() - np.frombuffer(drawn[15:], "u1"))
+        self.assertLess(difference.max(), 1.5)
 
 
 class Godot(Node):
@@ -444,6 +517,65 @@ PLAIN = {  # nodes that need no more than Node checks: the texts that their file
 }
 NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity, *(type(name.title(), (Node,), {"included": included})
                                                             for name, included in PLAIN.items())]
+
+
+AUTHORS, ADDRESS = "The gabor-noise authors", "@REPOSITORY@"
+MANIFESTS = {  # what registries and engines read from each
+    "package.json": {
+        "name": "gabor-noise", "version": "@VERSION@", "license": "MIT", "author": AUTHORS, "homepage": f"{ADDRESS}#readme", "type": "module",
+        "repository": {"type": "git", "url": f"git+{ADDRESS}.git"}, "bugs": f"{ADDRESS}/issues", "sideEffects": False,
+        "files": ["index.js", "index.d.ts", "shaders/gabor_*.glsl", "shaders/translations", "shaders/nodes/three"],
+        "exports": {".": "./index.js", "./shaders/*": "./shaders/*", "./package.json": "./package.json"},
+        "peerDependencies": {"three": ">=" + json.loads((ROOT / "tests/engines/three/package.json").read_text())["dependencies"]["three"]},
+        "peerDependenciesMeta": {"three": {"optional": True}}},
+    "shaders/nodes/unity/package.json": {
+        "name": "com.gabor-noise.nodes", "displayName": "Gabor noise", "version": "@VERSION@", "unity": "2021.3", "license": "MIT",
+        "author": {"name": AUTHORS}, "documentationUrl": f"{ADDRESS}#readme", "changelogUrl": f"{ADDRESS}/blob/HEAD/CHANGELOG.md",
+        "licensesUrl": f"{ADDRESS}/blob/HEAD/LICENSE", "repository": {"type": "git", "url": f"git+{ADDRESS}.git"}},
+    "shaders/nodes/bevy/Cargo.toml": {
+        "package": {"name": "bevy_gabor_noise", "version": "@VERSION@", "edition": "2024", "license": "MIT", "authors": [AUTHORS],
+                    "repository": ADDRESS, "readme": "README.md", "categories": ["game-development", "graphics"]},
+        "dependencies": {name: {"version": "0.19", "default-features": False} for name in ("bevy_app", "bevy_shader")},
+        "dev-dependencies": {"bevy_asset": {"version": "0.19", "default-features": False}}},
+    "shaders/nodes/blender/gabor_noise/blender_manifest.toml": {
+        "schema_version": "1.0.0", "id": "gabor_noise", "version": "@VERSION@", "name": "Gabor Noise", "maintainer": AUTHORS, "website": ADDRESS,
+        "type": "add-on", "tags": ["Material", "Node"], "blender_version_min": "4.2.0", "license": ["SPDX:MIT"], "copyright": [f"2026 {AUTHORS}"]},
+    "packages/pypi/pyproject.toml": {
+        "build-system": {"requires": ["scikit-build-core>=0.10", "nanobind>=2.4"], "build-backend": "scikit_build_core.build"},
+        "project": {"name": "gabor-noise", "version": "@VERSION@", "readme": "README.md", "license": "MIT", "license-files": ["LICENSE"],
+                    "authors": [{"name": AUTHORS}], "requires-python": ">=3.9", "dependencies": ["numpy"],
+                    "urls": {"Paper": "https://doi.org/10.2312/egs.20191009", "Repository": ADDRESS, "Issues": f"{ADDRESS}/issues"}},
+        "tool": {"scikit-build": {"minimum-version": "0.10", "wheel.packages": ["gabor_noise"], "wheel.py-api": "cp312",
+                                  "build-dir": "build/{wheel_tag}", "cmake.build-type": "Release"},
+                 "cibuildwheel": {"build": "cp3{9,10,11,12,13,14}-*", "archs": "auto64", "test-requires": "pillow",
+                                  "test-command": "python {project}/tests/module_test.py"}}},
+    "packages/vcpkg/vcpkg.json": {
+        "name": "gabor-noise", "version": "@VERSION@", "homepage": ADDRESS, "license": "MIT",
+        "dependencies": [{"name": name, "host": True} for name in ("vcpkg-cmake", "vcpkg-cmake-config")]},
+}
+
+
+class Manifests(unittest.TestCase):
+    maxDiff = None
+
+    def test_each_says_what_registries_read(self):
+        def plain(value, name=""):
+            """Returns the value without texts for people; TOML nests the names that the table joins."""
+            if not isinstance(value, dict):
+                return value
+            made = {key: plain(each) for key, each in value.items() if key not in ("description", "keywords", "classifiers", "tagline")}
+            return {f"{key}.{inner}" if key in ("wheel", "cmake") else key: each for key, given in made.items()
+                    for inner, each in (given.items() if key in ("wheel", "cmake") else [("", given)])}
+        for name, wanted in MANIFESTS.items():
+            with self.subTest(name):
+                text = (ROOT / name).read_text()
+                found = plain(json.loads(text) if name.endswith(".json") else tomllib.loads(text))
+                self.assertEqual(found, wanted)
+        importers = {"shadersubgraph": "60072b568d64c40a485e0fc55012dc9f"}  # Unity's own id of its importer
+        for path in (SHADERS / "nodes" / "unity").glob("*.meta"):
+            ending = path.name.split(".")[-2]
+            self.assertEqual("type: 3" in path.read_text() and re.search("fileID: 11500000, guid: (\\w+), type: 3", path.read_text())[1],
+                             importers.get(ending, False), path.name)
 
 
 class Folders(unittest.TestCase):
@@ -540,15 +672,41 @@ out vec4 result;
 
 
 class Repository(unittest.TestCase):
-    def npm_with(self, remote):
+    def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
-        root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py"))
-        (root / "shaders/nodes").mkdir(parents=True)
+        self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py", *more))
+        (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
         run(sys.executable, "-B", root / "tools/package", "npm")
         return json.loads((root / "build/packages/staged/npm/package.json").read_text())
+
+    def test_readmes_link_to_what_the_package_lacks(self):
+        """Also, a package is the same whenever it is built."""
+        folder, base = "shaders/nodes/slang", "https://example.org/somebody/gabor"
+        self.npm_with(f"{base}.git", "shaders/nodes/LICENSE", "shaders/translations/gabor_noise.hlsl", f"{folder}/gabor_noise.slang", f"{folder}/README.md",
+                      "shaders/nodes/unity/package.json", "shaders/nodes/unity/README.md")
+        text = "![seen](../../a.png) [page](../../../docs/b.md) [kept](gabor_noise.slang) [web](https://d) @VERSION@ @REPOSITORY@\n"
+        (self.root / folder / "README.md").write_text(text)
+        sums = []
+        for _ in range(2):
+            archives = [self.root / run(sys.executable, "-B", self.root / "tools/package", name).strip() for name in ("slang", "unity")]
+            sums.append([(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in archives])
+            made = (self.root / "build/packages/staged/slang/README.md").read_text()
+            for path in (self.root / folder).iterdir():
+                os.utime(path, (0, 0))
+        with zipfile.ZipFile(archives[0]) as zipped, tarfile.open(archives[1]) as tarred:
+            self.assertEqual({each.filename: each.date_time for each in zipped.infolist()},
+                             dict.fromkeys(("LICENSE", "README.md", "gabor_noise.slang"), (2026, 1, 1, 0, 0, 0)))
+            self.assertEqual({each.mtime for each in tarred.getmembers()}, {1767225600})
+        self.assertEqual(archives[0].name, f"gabor-noise-slang-{VERSION}.zip")
+        self.assertEqual(sums[0][0], sums[1][0])
+        line, *_, last = made.splitlines()
+        self.assertEqual(line, f"![seen]({base}/raw/HEAD/shaders/a.png) [page]({base}/blob/HEAD/docs/b.md) [kept](gabor_noise.slang) [web](https://d) {VERSION} {base}")
+        self.assertEqual(last, f"[Repository and documentation]({base})")
+        refused = subprocess.run([sys.executable, "-B", self.root / "tools/package", "all", "--stage", self.root], capture_output=True, text=True)
+        self.assertIn("--stage needs one package's name", refused.stderr)
 
     def test_an_address_on_the_web_is_named(self):
         for remote in ("https://example.org/somebody/gabor.git", "git@example.org:somebody/gabor.git"):
@@ -615,7 +773,7 @@ class Release(Folder):
             self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// naga", line)], [], name)
 
 # The classes of each test that CTest runs.
-PACKAGES = {"nodes": [*NODES, Folders], "npm": [Npm, Repository], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
+PACKAGES = {"nodes": [*NODES, Folders, Manifests], "npm": [Npm, Repository], "module": [Module], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
             "release": [Release]}
 
 
