@@ -304,6 +304,47 @@ float3 gabor_impl_slopes_along(float2 variances, float2 along) {
     return float3((variances.x - variances.y) * along.x * along + float2(variances.y, 0.0), variances.x + variances.y);
 }
 
+// Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
+void gabor_impl_add_band(inout GaborWater water, inout float3 squeeze, GaborOceanBand band, bool three, float2 heading, float quantum,
+                         float least, int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, uint seed) {
+    float longest = 1.486e-10 * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
+    if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
+        water.lost += gabor_impl_slopes_along(band.slopes, heading);
+        return;
+    }
+    uint salt = gabor_impl_salt(seed);
+    int whole_x, whole_y;
+    float rest_x, rest_y;
+    gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
+    gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
+    float2 rest = float2(rest_x, rest_y) + 1.52587890625e-5 * float2(float(salt & 0xffffu), float(salt >> 16u));
+    float inset = three ? 0.5 : 0.0, spacing = exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0;
+    float2 first = floor(rest - inset), offset = inset + clamp(rest - inset - first, 0.0, 1.0);
+    int2 node = int2(whole_x, whole_y) + (int2)(first);
+    float4 x, y, slope_x, slope_y;
+    gabor_impl_water_windows(three, offset.x, x, slope_x);
+    gabor_impl_water_windows(three, offset.y, y, slope_y);
+    float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30;
+    float3 shape = three ? float3(0.89289313, 7.3973916e18, 1.0034 * deviation) : float3(0.0, 1.0e21, 1.0297 * deviation);
+    x *= band.amplitude / (energy * deviation);
+    slope_x *= band.amplitude / (energy * deviation * spacing);
+    slope_y /= spacing;
+    float f = 1.4901161e-8 * band.low;
+    float wave = (three ? 0.6383 : 0.622) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
+    uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
+    uint right = gabor_impl_line_word(node.x + 2, salt);
+    float2 from = spacing * offset;
+    for (int j = 0; j < (three ? 3 : 2); ++j) {
+        uint row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
+        float2 w = j == 0 ? float2(y.x, slope_y.x) : j == 1 ? float2(y.y, slope_y.y) : float2(y.z, slope_y.z);
+        gabor_impl_add_water(water, squeeze, row * left, from, float3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        gabor_impl_add_water(water, squeeze, row * middle, from - float2(spacing, 0.0), float3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        if (three)
+            gabor_impl_add_water(water, squeeze, row * right, from - float2(2.0 * spacing, 0.0), float3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        from.y -= spacing;
+    }
+}
+
 GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed) {
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
@@ -311,46 +352,16 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
     float quantum = ocean.loop > 0 ? 65536.0 / float(ocean.loop) : 0.0;
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
-    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
-        GaborOceanBand band = ocean.band[i];
-        float2 heading = i < GABOR_OCEAN_BANDS ? wind : swell;
-        float longest = 1.486e-10 * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
-        if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
-            water.lost += gabor_impl_slopes_along(band.slopes, heading);
-            continue;
-        }
-        bool three = gabor_impl_three(i);
-        uint salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
-        int whole_x, whole_y;
-        float rest_x, rest_y;
-        gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
-        gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
-        float2 rest = float2(rest_x, rest_y) + 1.52587890625e-5 * float2(float(salt & 0xffffu), float(salt >> 16u));
-        float inset = three ? 0.5 : 0.0, spacing = exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0;
-        float2 first = floor(rest - inset), offset = inset + clamp(rest - inset - first, 0.0, 1.0);
-        int2 node = int2(whole_x, whole_y) + (int2)(first);
-        float4 x, y, slope_x, slope_y;
-        gabor_impl_water_windows(three, offset.x, x, slope_x);
-        gabor_impl_water_windows(three, offset.y, y, slope_y);
-        float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30;
-        float3 shape = three ? float3(0.89289313, 7.3973916e18, 1.0034 * deviation) : float3(0.0, 1.0e21, 1.0297 * deviation);
-        x *= band.amplitude / (energy * deviation);
-        slope_x *= band.amplitude / (energy * deviation * spacing);
-        slope_y /= spacing;
-        float f = 1.4901161e-8 * band.low;
-        float wave = (three ? 0.6383 : 0.622) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
-        uint left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
-        uint right = gabor_impl_line_word(node.x + 2, salt);
-        float2 from = spacing * offset;
-        for (int j = 0; j < (three ? 3 : 2); ++j) {
-            uint row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
-            float2 w = j == 0 ? float2(y.x, slope_y.x) : j == 1 ? float2(y.y, slope_y.y) : float2(y.z, slope_y.z);
-            gabor_impl_add_water(water, squeeze, row * left, from, float3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            gabor_impl_add_water(water, squeeze, row * middle, from - float2(spacing, 0.0), float3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            if (three)
-                gabor_impl_add_water(water, squeeze, row * right, from - float2(2.0 * spacing, 0.0), float3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            from.y -= spacing;
-        }
+    int threes = min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0 ? threes + 1 : threes;
+    for (int i = 1; i <= last; ++i) {
+        int k = i > threes ? GABOR_OCEAN_BANDS : i;
+        gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
+                            fraction, dx, dy, gabor_lobe_seed(seed, k));
+    }
+    for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
+        int k = i == 0 ? 0 : i + threes;
+        gabor_impl_add_band(water, squeeze, ocean.band[k], false, wind, quantum, least, cell, local, second, fraction, dx, dy,
+                            gabor_lobe_seed(seed, k));
     }
     water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = float3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);

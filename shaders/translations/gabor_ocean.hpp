@@ -282,6 +282,47 @@ GABOR_INLINE gabor_vec3 gabor_impl_slopes_along(gabor_vec2 variances, gabor_vec2
     return gabor_vec3((variances.x - variances.y) * along.x * along + gabor_vec2(variances.y, 0.0f), variances.x + variances.y);
 }
 
+// Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
+GABOR_INLINE void gabor_impl_add_band(GaborWater& water, gabor_vec3& squeeze, GaborOceanBand band, bool three, gabor_vec2 heading, float quantum,
+                         float least, gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
+    float longest = 1.486e-10f * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
+    if (band.amplitude == 0.0f || longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
+        water.lost += gabor_impl_slopes_along(band.slopes, heading);
+        return;
+    }
+    std::uint32_t salt = gabor_impl_salt(seed);
+    int whole_x, whole_y;
+    float rest_x, rest_y;
+    gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
+    gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
+    gabor_vec2 rest = gabor_vec2(rest_x, rest_y) + 1.52587890625e-5f * gabor_vec2(float(salt & 0xffffu), float(salt >> 16u));
+    float inset = three ? 0.5f : 0.0f, spacing = gabor_cpp_exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0f;
+    gabor_vec2 first = gabor_cpp_floor(rest - inset), offset = inset + gabor_cpp_clamp(rest - inset - first, 0.0f, 1.0f);
+    gabor_ivec2 node = gabor_ivec2(whole_x, whole_y) + gabor_ivec2(first);
+    gabor_vec4 x, y, slope_x, slope_y;
+    gabor_impl_water_windows(three, offset.x, x, slope_x);
+    gabor_impl_water_windows(three, offset.y, y, slope_y);
+    float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30f;
+    gabor_vec3 shape = three ? gabor_vec3(0.89289313f, 7.3973916e18f, 1.0034f * deviation) : gabor_vec3(0.0f, 1.0e21f, 1.0297f * deviation);
+    x *= band.amplitude / (energy * deviation);
+    slope_x *= band.amplitude / (energy * deviation * spacing);
+    slope_y /= spacing;
+    float f = 1.4901161e-8f * band.low;
+    float wave = (three ? 0.6383f : 0.622f) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
+    std::uint32_t left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
+    std::uint32_t right = gabor_impl_line_word(node.x + 2, salt);
+    gabor_vec2 from = spacing * offset;
+    for (int j = 0; j < (three ? 3 : 2); ++j) {
+        std::uint32_t row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
+        gabor_vec2 w = j == 0 ? gabor_vec2(y.x, slope_y.x) : j == 1 ? gabor_vec2(y.y, slope_y.y) : gabor_vec2(y.z, slope_y.z);
+        gabor_impl_add_water(water, squeeze, row * left, from, gabor_vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        gabor_impl_add_water(water, squeeze, row * middle, from - gabor_vec2(spacing, 0.0f), gabor_vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        if (three)
+            gabor_impl_add_water(water, squeeze, row * right, from - gabor_vec2(2.0f * spacing, 0.0f), gabor_vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
+        from.y -= spacing;
+    }
+}
+
 GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy, GaborOcean ocean, std::uint32_t seed) {
     gabor_vec2 wind = gabor_impl_wave(0.15915494f * ocean.direction), swell = gabor_impl_wave(0.15915494f * ocean.swell.z);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
@@ -289,46 +330,16 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     float quantum = ocean.loop > 0 ? 65536.0f / float(ocean.loop) : 0.0f;
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
-    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
-        GaborOceanBand band = ocean.band[i];
-        gabor_vec2 heading = i < GABOR_OCEAN_BANDS ? wind : swell;
-        float longest = 1.486e-10f * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
-        if (band.amplitude == 0.0f || longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
-            water.lost += gabor_impl_slopes_along(band.slopes, heading);
-            continue;
-        }
-        bool three = gabor_impl_three(i);
-        std::uint32_t salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
-        int whole_x, whole_y;
-        float rest_x, rest_y;
-        gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
-        gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
-        gabor_vec2 rest = gabor_vec2(rest_x, rest_y) + 1.52587890625e-5f * gabor_vec2(float(salt & 0xffffu), float(salt >> 16u));
-        float inset = three ? 0.5f : 0.0f, spacing = gabor_cpp_exp2(float(band.exponent)), energy = three ? GABOR_IMPL_ENERGY : 1.0f;
-        gabor_vec2 first = gabor_cpp_floor(rest - inset), offset = inset + gabor_cpp_clamp(rest - inset - first, 0.0f, 1.0f);
-        gabor_ivec2 node = gabor_ivec2(whole_x, whole_y) + gabor_ivec2(first);
-        gabor_vec4 x, y, slope_x, slope_y;
-        gabor_impl_water_windows(three, offset.x, x, slope_x);
-        gabor_impl_water_windows(three, offset.y, y, slope_y);
-        float deviation = three ? GABOR_IMPL_DEVIATION : 1.2432818e30f;
-        gabor_vec3 shape = three ? gabor_vec3(0.89289313f, 7.3973916e18f, 1.0034f * deviation) : gabor_vec3(0.0f, 1.0e21f, 1.0297f * deviation);
-        x *= band.amplitude / (energy * deviation);
-        slope_x *= band.amplitude / (energy * deviation * spacing);
-        slope_y /= spacing;
-        float f = 1.4901161e-8f * band.low;
-        float wave = (three ? 0.6383f : 0.622f) * f * f; // 2 pi / g, less 0.3 or 3 % for the slopes that the windows add
-        std::uint32_t left = gabor_impl_line_word(node.x, salt), middle = gabor_impl_line_word(node.x + 1, salt);
-        std::uint32_t right = gabor_impl_line_word(node.x + 2, salt);
-        gabor_vec2 from = spacing * offset;
-        for (int j = 0; j < (three ? 3 : 2); ++j) {
-            std::uint32_t row = gabor_impl_line_word(node.y + j, salt ^ GABOR_IMPL_ROWS);
-            gabor_vec2 w = j == 0 ? gabor_vec2(y.x, slope_y.x) : j == 1 ? gabor_vec2(y.y, slope_y.y) : gabor_vec2(y.z, slope_y.z);
-            gabor_impl_add_water(water, squeeze, row * left, from, gabor_vec3(x.x * w.x, slope_x.x * w.x, x.x * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            gabor_impl_add_water(water, squeeze, row * middle, from - gabor_vec2(spacing, 0.0f), gabor_vec3(x.y * w.x, slope_x.y * w.x, x.y * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            if (three)
-                gabor_impl_add_water(water, squeeze, row * right, from - gabor_vec2(2.0f * spacing, 0.0f), gabor_vec3(x.z * w.x, slope_x.z * w.x, x.z * w.y), band, heading, quantum, wave, shape, second, fraction, dx, dy);
-            from.y -= spacing;
-        }
+    int threes = gabor_cpp_min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0f ? threes + 1 : threes;
+    for (int i = 1; i <= last; ++i) {
+        int k = i > threes ? GABOR_OCEAN_BANDS : i;
+        gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
+                            fraction, dx, dy, gabor_lobe_seed(seed, k));
+    }
+    for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
+        int k = i == 0 ? 0 : i + threes;
+        gabor_impl_add_band(water, squeeze, ocean.band[k], false, wind, quantum, least, cell, local, second, fraction, dx, dy,
+                            gabor_lobe_seed(seed, k));
     }
     water.fold = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = gabor_vec3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 1408ae29cda8ef01.
+// naga 30.0.1 made it from GLSL with the digest e117948eed4c988e.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -857,33 +857,20 @@ fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> 
     return vec3<f32>(_e11.x, _e11.y, (variances.x + variances.y));
 }
 
-fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var wind_2: vec2<f32>;
-    var swell_1: vec2<f32>;
-    var water: GaborWater;
-    var squeeze_1: vec3<f32> = vec3(0f);
-    var local_30: f32;
-    var quantum_1: f32;
-    var area: f32;
-    var sides: f32;
-    var least: f32;
-    var i_1: i32 = 0i;
-    var band_3: GaborOceanBand;
-    var local_31: vec2<f32>;
-    var heading_1: vec2<f32>;
+// Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
+fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, three: bool, heading: vec2<f32>, quantum: f32, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
     var longest: f32;
-    var three_1: bool;
     var salt_4: u32;
     var whole_x: i32;
     var whole_y: i32;
     var rest_x: f32;
     var rest_y: f32;
     var rest_3: vec2<f32>;
-    var local_32: f32;
+    var local_30: f32;
     var inset: f32;
     var spacing: f32;
-    var local_33: f32;
-    var local_34: f32;
+    var local_31: f32;
+    var local_32: f32;
     var energy: f32;
     var first_2: vec2<f32>;
     var offset: vec2<f32>;
@@ -892,37 +879,257 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var local_35: f32;
+    var local_33: f32;
     var deviation_1: f32;
-    var local_36: vec3<f32>;
+    var local_34: vec3<f32>;
     var shape_1: vec3<f32>;
     var f_2: f32;
-    var local_37: f32;
+    var local_35: f32;
     var wave_6: f32;
     var left: u32;
     var middle_1: u32;
     var right: u32;
     var from_1: vec2<f32>;
-    var j_2: i32;
-    var local_38: i32;
+    var j_2: i32 = 0i;
+    var local_36: i32;
     var row_1: u32;
-    var local_39: vec2<f32>;
-    var local_40: vec2<f32>;
+    var local_37: vec2<f32>;
+    var local_38: vec2<f32>;
     var w: vec2<f32>;
+    longest = ((0.0000000001486f * band.low) * band.low);
+    let _e23 = longest;
+    let _e24 = longest;
+    if ((band.amplitude == 0f) || (((_e23 * _e24) * least) > 1.6f)) {
+        {
+            let _e31 = (*water);
+            let _e34 = gabor_impl_slopes_along(band.slopes, heading);
+            (*water).lost = (_e31.lost + _e34);
+            return;
+        }
+    }
+    let _e36 = gabor_impl_salt(seed);
+    salt_4 = _e36;
+    gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, (&whole_x), (&rest_x));
+    gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, (&whole_y), (&rest_y));
+    let _e60 = rest_x;
+    let _e61 = rest_y;
+    let _e64 = salt_4;
+    let _e68 = salt_4;
+    rest_3 = (vec2<f32>(_e60, _e61) + (0.000015258789f * vec2<f32>(f32((_e64 & 65535u)), f32((_e68 >> 16u)))));
+    if three {
+        local_30 = 0.5f;
+    } else {
+        local_30 = 0f;
+    }
+    let _e79 = local_30;
+    inset = _e79;
+    spacing = exp2(f32(band.exponent));
+    if three {
+        if false {
+            local_31 = 1f;
+        } else {
+            local_31 = 1.125f;
+        }
+        let _e94 = local_31;
+        local_32 = _e94;
+    } else {
+        local_32 = 1f;
+    }
+    let _e97 = local_32;
+    energy = _e97;
+    let _e99 = rest_3;
+    let _e100 = inset;
+    first_2 = floor((_e99 - vec2(_e100)));
+    let _e105 = inset;
+    let _e106 = rest_3;
+    let _e107 = inset;
+    let _e110 = first_2;
+    offset = (vec2(_e105) + clamp(((_e106 - vec2(_e107)) - _e110), vec2(0f), vec2(1f)));
+    let _e120 = whole_x;
+    let _e121 = whole_y;
+    let _e123 = first_2;
+    node = (vec2<i32>(_e120, _e121) + vec2<i32>(_e123));
+    let _e131 = offset;
+    gabor_impl_water_windows(three, _e131.x, (&x_8), (&slope_x));
+    let _e137 = offset;
+    gabor_impl_water_windows(three, _e137.y, (&y_4), (&slope_y));
+    if three {
+        local_33 = 1459955300000000000000000000f;
+    } else {
+        local_33 = 1243281800000000000000000000000f;
+    }
+    let _e146 = local_33;
+    deviation_1 = _e146;
+    if three {
+        let _e151 = deviation_1;
+        local_34 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e151));
+    } else {
+        let _e157 = deviation_1;
+        local_34 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e157));
+    }
+    let _e161 = local_34;
+    shape_1 = _e161;
+    let _e163 = x_8;
+    let _e165 = energy;
+    let _e166 = deviation_1;
+    x_8 = (_e163 * (band.amplitude / (_e165 * _e166)));
+    let _e170 = slope_x;
+    let _e172 = energy;
+    let _e173 = deviation_1;
+    let _e175 = spacing;
+    slope_x = (_e170 * (band.amplitude / ((_e172 * _e173) * _e175)));
+    let _e179 = slope_y;
+    let _e180 = spacing;
+    slope_y = (_e179 / vec4(_e180));
+    f_2 = (0.000000014901161f * band.low);
+    if three {
+        local_35 = 0.6383f;
+    } else {
+        local_35 = 0.622f;
+    }
+    let _e190 = local_35;
+    let _e191 = f_2;
+    let _e193 = f_2;
+    wave_6 = ((_e190 * _e191) * _e193);
+    let _e196 = node;
+    let _e198 = salt_4;
+    let _e199 = gabor_impl_line_word(_e196.x, _e198);
+    left = _e199;
+    let _e201 = node;
+    let _e205 = salt_4;
+    let _e206 = gabor_impl_line_word((_e201.x + 1i), _e205);
+    middle_1 = _e206;
+    let _e208 = node;
+    let _e212 = salt_4;
+    let _e213 = gabor_impl_line_word((_e208.x + 2i), _e212);
+    right = _e213;
+    let _e215 = spacing;
+    let _e216 = offset;
+    from_1 = (_e215 * _e216);
+    loop {
+        let _e221 = j_2;
+        if three {
+            local_36 = 3i;
+        } else {
+            local_36 = 2i;
+        }
+        let _e225 = local_36;
+        if !((_e221 < _e225)) {
+            break;
+        }
+        {
+            let _e231 = node;
+            let _e233 = j_2;
+            let _e235 = salt_4;
+            let _e238 = gabor_impl_line_word((_e231.y + _e233), (_e235 ^ 1540483477u));
+            row_1 = _e238;
+            let _e240 = j_2;
+            if (_e240 == 0i) {
+                let _e243 = y_4;
+                let _e245 = slope_y;
+                local_38 = vec2<f32>(_e243.x, _e245.x);
+            } else {
+                let _e248 = j_2;
+                if (_e248 == 1i) {
+                    let _e251 = y_4;
+                    let _e253 = slope_y;
+                    local_37 = vec2<f32>(_e251.y, _e253.y);
+                } else {
+                    let _e256 = y_4;
+                    let _e258 = slope_y;
+                    local_37 = vec2<f32>(_e256.z, _e258.z);
+                }
+                let _e262 = local_37;
+                local_38 = _e262;
+            }
+            let _e264 = local_38;
+            w = _e264;
+            let _e268 = row_1;
+            let _e269 = left;
+            let _e271 = from_1;
+            let _e272 = x_8;
+            let _e274 = w;
+            let _e277 = slope_x;
+            let _e279 = w;
+            let _e282 = x_8;
+            let _e284 = w;
+            let _e288 = wave_6;
+            let _e289 = shape_1;
+            gabor_impl_add_water(water, squeeze, (_e268 * _e269), _e271, vec3<f32>((_e272.x * _e274.x), (_e277.x * _e279.x), (_e282.x * _e284.y)), band, heading, quantum, _e288, _e289, second, fraction, dx, dy);
+            let _e294 = row_1;
+            let _e295 = middle_1;
+            let _e297 = from_1;
+            let _e298 = spacing;
+            let _e302 = x_8;
+            let _e304 = w;
+            let _e307 = slope_x;
+            let _e309 = w;
+            let _e312 = x_8;
+            let _e314 = w;
+            let _e318 = wave_6;
+            let _e319 = shape_1;
+            gabor_impl_add_water(water, squeeze, (_e294 * _e295), (_e297 - vec2<f32>(_e298, 0f)), vec3<f32>((_e302.y * _e304.x), (_e307.y * _e309.x), (_e312.y * _e314.y)), band, heading, quantum, _e318, _e319, second, fraction, dx, dy);
+            if three {
+                let _e324 = row_1;
+                let _e325 = right;
+                let _e327 = from_1;
+                let _e329 = spacing;
+                let _e334 = x_8;
+                let _e336 = w;
+                let _e339 = slope_x;
+                let _e341 = w;
+                let _e344 = x_8;
+                let _e346 = w;
+                let _e350 = wave_6;
+                let _e351 = shape_1;
+                gabor_impl_add_water(water, squeeze, (_e324 * _e325), (_e327 - vec2<f32>((2f * _e329), 0f)), vec3<f32>((_e334.z * _e336.x), (_e339.z * _e341.x), (_e344.z * _e346.y)), band, heading, quantum, _e350, _e351, second, fraction, dx, dy);
+            }
+            let _e355 = from_1;
+            let _e357 = spacing;
+            from_1.y = (_e355.y - _e357);
+        }
+        continuing {
+            let _e228 = j_2;
+            j_2 = (_e228 + 1i);
+        }
+    }
+    return;
+}
+
+fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
+    var wind_2: vec2<f32>;
+    var swell_1: vec2<f32>;
+    var water_1: GaborWater;
+    var squeeze_2: vec3<f32> = vec3(0f);
+    var local_40: f32;
+    var quantum_2: f32;
+    var area: f32;
+    var sides: f32;
+    var least_1: f32;
+    var threes: i32 = 3i;
+    var local_41: i32;
+    var last_1: i32;
+    var i_1: i32 = 1i;
+    var local_42: i32;
+    var k_1: i32;
+    var local_43: vec2<f32>;
+    var i_2: i32 = 0i;
+    var local_44: i32;
+    var k_2: i32;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
     wind_2 = _e11;
     let _e17 = gabor_impl_wave((0.15915494f * ocean.swell.z));
     swell_1 = _e17;
     let _e26 = wind_2;
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
-    water = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
+    water_1 = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
     if (ocean.loop_ > 0i) {
-        local_30 = (65536f / f32(ocean.loop_));
+        local_40 = (65536f / f32(ocean.loop_));
     } else {
-        local_30 = 0f;
+        local_40 = 0f;
     }
-    let _e42 = local_30;
-    quantum_1 = _e42;
+    let _e42 = local_40;
+    quantum_2 = _e42;
     area = ((dx.x * dy.y) - (dx.y * dy.x));
     sides = (dot(dx, dx) + dot(dy, dy));
     let _e57 = area;
@@ -932,292 +1139,111 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e63 = sides;
     let _e66 = area;
     let _e68 = area;
-    least = (((2f * _e57) * _e59) / max((_e61 + sqrt(max(((_e62 * _e63) - ((4f * _e66) * _e68)), 0f))), 0.000000000000000000000000000001f));
+    least_1 = (((2f * _e57) * _e59) / max((_e61 + sqrt(max(((_e62 * _e63) - ((4f * _e66) * _e68)), 0f))), 0.000000000000000000000000000001f));
+    if (ocean.swell.x > 0f) {
+        let _e89 = threes;
+        local_41 = (_e89 + 1i);
+    } else {
+        let _e92 = threes;
+        local_41 = _e92;
+    }
+    let _e94 = local_41;
+    last_1 = _e94;
     loop {
-        let _e81 = i_1;
-        if !((_e81 <= 9i)) {
+        let _e98 = i_1;
+        let _e99 = last_1;
+        if !((_e98 <= _e99)) {
             break;
         }
         {
-            let _e88 = i_1;
-            band_3 = ocean.band[_e88];
-            let _e92 = i_1;
-            if (_e92 < 9i) {
-                let _e95 = wind_2;
-                local_31 = _e95;
+            let _e105 = i_1;
+            let _e106 = threes;
+            if (_e105 > _e106) {
+                local_42 = 9i;
             } else {
-                let _e96 = swell_1;
-                local_31 = _e96;
+                let _e109 = i_1;
+                local_42 = _e109;
             }
-            let _e98 = local_31;
-            heading_1 = _e98;
-            let _e101 = band_3;
-            let _e104 = band_3;
-            longest = ((0.0000000001486f * _e101.low) * _e104.low);
-            let _e108 = band_3;
-            let _e112 = longest;
-            let _e113 = longest;
-            let _e115 = least;
-            if ((_e108.amplitude == 0f) || (((_e112 * _e113) * _e115) > 1.6f)) {
-                {
-                    let _e121 = water;
-                    let _e123 = band_3;
-                    let _e125 = heading_1;
-                    let _e126 = gabor_impl_slopes_along(_e123.slopes, _e125);
-                    water.lost = (_e121.lost + _e126);
-                    continue;
-                }
-            }
-            let _e128 = i_1;
-            let _e129 = gabor_impl_three(_e128);
-            three_1 = _e129;
-            let _e131 = i_1;
-            let _e132 = gabor_lobe_seed(seed, _e131);
-            let _e133 = gabor_impl_salt(_e132);
-            salt_4 = _e133;
-            let _e141 = band_3;
-            let _e143 = band_3;
-            gabor_impl_float_by(cell.x, local.x, _e141.exponent, _e143.drift.x, second, fraction, (&whole_x), (&rest_x));
-            let _e152 = band_3;
-            let _e154 = band_3;
-            gabor_impl_float_by(cell.y, local.y, _e152.exponent, _e154.drift.y, second, fraction, (&whole_y), (&rest_y));
-            let _e161 = rest_x;
-            let _e162 = rest_y;
-            let _e165 = salt_4;
-            let _e169 = salt_4;
-            rest_3 = (vec2<f32>(_e161, _e162) + (0.000015258789f * vec2<f32>(f32((_e165 & 65535u)), f32((_e169 >> 16u)))));
-            let _e177 = three_1;
-            if _e177 {
-                local_32 = 0.5f;
+            let _e111 = local_42;
+            k_1 = _e111;
+            let _e115 = k_1;
+            let _e119 = i_1;
+            let _e120 = threes;
+            if (_e119 > _e120) {
+                let _e122 = swell_1;
+                local_43 = _e122;
             } else {
-                local_32 = 0f;
+                let _e123 = wind_2;
+                local_43 = _e123;
             }
-            let _e181 = local_32;
-            inset = _e181;
-            let _e183 = band_3;
-            spacing = exp2(f32(_e183.exponent));
-            let _e188 = three_1;
-            if _e188 {
-                if false {
-                    local_33 = 1f;
-                } else {
-                    local_33 = 1.125f;
-                }
-                let _e198 = local_33;
-                local_34 = _e198;
-            } else {
-                local_34 = 1f;
-            }
-            let _e201 = local_34;
-            energy = _e201;
-            let _e203 = rest_3;
-            let _e204 = inset;
-            first_2 = floor((_e203 - vec2(_e204)));
-            let _e209 = inset;
-            let _e210 = rest_3;
-            let _e211 = inset;
-            let _e214 = first_2;
-            offset = (vec2(_e209) + clamp(((_e210 - vec2(_e211)) - _e214), vec2(0f), vec2(1f)));
-            let _e224 = whole_x;
-            let _e225 = whole_y;
-            let _e227 = first_2;
-            node = (vec2<i32>(_e224, _e225) + vec2<i32>(_e227));
-            let _e235 = three_1;
-            let _e236 = offset;
-            gabor_impl_water_windows(_e235, _e236.x, (&x_8), (&slope_x));
-            let _e242 = three_1;
-            let _e243 = offset;
-            gabor_impl_water_windows(_e242, _e243.y, (&y_4), (&slope_y));
-            let _e249 = three_1;
-            if _e249 {
-                local_35 = 1459955300000000000000000000f;
-            } else {
-                local_35 = 1243281800000000000000000000000f;
-            }
-            let _e253 = local_35;
-            deviation_1 = _e253;
-            let _e255 = three_1;
-            if _e255 {
-                let _e259 = deviation_1;
-                local_36 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e259));
-            } else {
-                let _e265 = deviation_1;
-                local_36 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e265));
-            }
-            let _e269 = local_36;
-            shape_1 = _e269;
-            let _e271 = x_8;
-            let _e272 = band_3;
-            let _e274 = energy;
-            let _e275 = deviation_1;
-            x_8 = (_e271 * (_e272.amplitude / (_e274 * _e275)));
-            let _e279 = slope_x;
-            let _e280 = band_3;
-            let _e282 = energy;
-            let _e283 = deviation_1;
-            let _e285 = spacing;
-            slope_x = (_e279 * (_e280.amplitude / ((_e282 * _e283) * _e285)));
-            let _e289 = slope_y;
-            let _e290 = spacing;
-            slope_y = (_e289 / vec4(_e290));
-            let _e294 = band_3;
-            f_2 = (0.000000014901161f * _e294.low);
-            let _e298 = three_1;
-            if _e298 {
-                local_37 = 0.6383f;
-            } else {
-                local_37 = 0.622f;
-            }
-            let _e302 = local_37;
-            let _e303 = f_2;
-            let _e305 = f_2;
-            wave_6 = ((_e302 * _e303) * _e305);
-            let _e308 = node;
-            let _e310 = salt_4;
-            let _e311 = gabor_impl_line_word(_e308.x, _e310);
-            left = _e311;
-            let _e313 = node;
-            let _e317 = salt_4;
-            let _e318 = gabor_impl_line_word((_e313.x + 1i), _e317);
-            middle_1 = _e318;
-            let _e320 = node;
-            let _e324 = salt_4;
-            let _e325 = gabor_impl_line_word((_e320.x + 2i), _e324);
-            right = _e325;
-            let _e327 = spacing;
-            let _e328 = offset;
-            from_1 = (_e327 * _e328);
-            j_2 = 0i;
-            loop {
-                let _e333 = j_2;
-                let _e334 = three_1;
-                if _e334 {
-                    local_38 = 3i;
-                } else {
-                    local_38 = 2i;
-                }
-                let _e338 = local_38;
-                if !((_e333 < _e338)) {
-                    break;
-                }
-                {
-                    let _e344 = node;
-                    let _e346 = j_2;
-                    let _e348 = salt_4;
-                    let _e351 = gabor_impl_line_word((_e344.y + _e346), (_e348 ^ 1540483477u));
-                    row_1 = _e351;
-                    let _e353 = j_2;
-                    if (_e353 == 0i) {
-                        let _e356 = y_4;
-                        let _e358 = slope_y;
-                        local_40 = vec2<f32>(_e356.x, _e358.x);
-                    } else {
-                        let _e361 = j_2;
-                        if (_e361 == 1i) {
-                            let _e364 = y_4;
-                            let _e366 = slope_y;
-                            local_39 = vec2<f32>(_e364.y, _e366.y);
-                        } else {
-                            let _e369 = y_4;
-                            let _e371 = slope_y;
-                            local_39 = vec2<f32>(_e369.z, _e371.z);
-                        }
-                        let _e375 = local_39;
-                        local_40 = _e375;
-                    }
-                    let _e377 = local_40;
-                    w = _e377;
-                    let _e381 = row_1;
-                    let _e382 = left;
-                    let _e384 = from_1;
-                    let _e385 = x_8;
-                    let _e387 = w;
-                    let _e390 = slope_x;
-                    let _e392 = w;
-                    let _e395 = x_8;
-                    let _e397 = w;
-                    let _e401 = band_3;
-                    let _e402 = heading_1;
-                    let _e403 = quantum_1;
-                    let _e404 = wave_6;
-                    let _e405 = shape_1;
-                    gabor_impl_add_water((&water), (&squeeze_1), (_e381 * _e382), _e384, vec3<f32>((_e385.x * _e387.x), (_e390.x * _e392.x), (_e395.x * _e397.y)), _e401, _e402, _e403, _e404, _e405, second, fraction, dx, dy);
-                    let _e410 = row_1;
-                    let _e411 = middle_1;
-                    let _e413 = from_1;
-                    let _e414 = spacing;
-                    let _e418 = x_8;
-                    let _e420 = w;
-                    let _e423 = slope_x;
-                    let _e425 = w;
-                    let _e428 = x_8;
-                    let _e430 = w;
-                    let _e434 = band_3;
-                    let _e435 = heading_1;
-                    let _e436 = quantum_1;
-                    let _e437 = wave_6;
-                    let _e438 = shape_1;
-                    gabor_impl_add_water((&water), (&squeeze_1), (_e410 * _e411), (_e413 - vec2<f32>(_e414, 0f)), vec3<f32>((_e418.y * _e420.x), (_e423.y * _e425.x), (_e428.y * _e430.y)), _e434, _e435, _e436, _e437, _e438, second, fraction, dx, dy);
-                    let _e441 = three_1;
-                    if _e441 {
-                        let _e444 = row_1;
-                        let _e445 = right;
-                        let _e447 = from_1;
-                        let _e449 = spacing;
-                        let _e454 = x_8;
-                        let _e456 = w;
-                        let _e459 = slope_x;
-                        let _e461 = w;
-                        let _e464 = x_8;
-                        let _e466 = w;
-                        let _e470 = band_3;
-                        let _e471 = heading_1;
-                        let _e472 = quantum_1;
-                        let _e473 = wave_6;
-                        let _e474 = shape_1;
-                        gabor_impl_add_water((&water), (&squeeze_1), (_e444 * _e445), (_e447 - vec2<f32>((2f * _e449), 0f)), vec3<f32>((_e454.z * _e456.x), (_e459.z * _e461.x), (_e464.z * _e466.y)), _e470, _e471, _e472, _e473, _e474, second, fraction, dx, dy);
-                    }
-                    let _e478 = from_1;
-                    let _e480 = spacing;
-                    from_1.y = (_e478.y - _e480);
-                }
-                continuing {
-                    let _e341 = j_2;
-                    j_2 = (_e341 + 1i);
-                }
-            }
+            let _e125 = local_43;
+            let _e126 = quantum_2;
+            let _e127 = least_1;
+            let _e128 = k_1;
+            let _e129 = gabor_lobe_seed(seed, _e128);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e115], true, _e125, _e126, _e127, cell, local, second, fraction, dx, dy, _e129);
         }
         continuing {
-            let _e85 = i_1;
-            i_1 = (_e85 + 1i);
+            let _e102 = i_1;
+            i_1 = (_e102 + 1i);
         }
     }
-    let _e484 = squeeze_1;
-    let _e488 = squeeze_1;
-    let _e491 = squeeze_1;
-    let _e495 = squeeze_1;
-    let _e497 = squeeze_1;
-    water.fold = (((1f - _e484.x) * ((1f - _e488.z) + _e491.x)) - (_e495.y * _e497.y));
-    let _e502 = water;
-    let _e505 = water;
-    let _e508 = water;
-    let _e512 = water;
-    water.lost = vec3<f32>(_e502.lost.x, (_e505.lost.z - _e508.lost.x), _e512.lost.y);
-    let _e516 = water;
-    return _e516;
+    loop {
+        let _e134 = i_2;
+        let _e136 = threes;
+        if !((_e134 < (9i - _e136))) {
+            break;
+        }
+        {
+            let _e143 = i_2;
+            if (_e143 == 0i) {
+                local_44 = 0i;
+            } else {
+                let _e147 = i_2;
+                let _e148 = threes;
+                local_44 = (_e147 + _e148);
+            }
+            let _e151 = local_44;
+            k_2 = _e151;
+            let _e155 = k_2;
+            let _e159 = wind_2;
+            let _e160 = quantum_2;
+            let _e161 = least_1;
+            let _e162 = k_2;
+            let _e163 = gabor_lobe_seed(seed, _e162);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e155], false, _e159, _e160, _e161, cell, local, second, fraction, dx, dy, _e163);
+        }
+        continuing {
+            let _e140 = i_2;
+            i_2 = (_e140 + 1i);
+        }
+    }
+    let _e168 = squeeze_2;
+    let _e172 = squeeze_2;
+    let _e175 = squeeze_2;
+    let _e179 = squeeze_2;
+    let _e181 = squeeze_2;
+    water_1.fold = (((1f - _e168.x) * ((1f - _e172.z) + _e175.x)) - (_e179.y * _e181.y));
+    let _e186 = water_1;
+    let _e189 = water_1;
+    let _e192 = water_1;
+    let _e196 = water_1;
+    water_1.lost = vec3<f32>(_e186.lost.x, (_e189.lost.z - _e192.lost.x), _e196.lost.y);
+    let _e200 = water_1;
+    return _e200;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 fn gabor_water_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var cell_4: vec2<f32>;
-    var second_5: f32;
-    cell_4 = floor(p);
-    second_5 = floor(seconds);
-    let _e10 = cell_4;
-    let _e12 = cell_4;
-    let _e14 = second_5;
-    let _e16 = second_5;
+    var cell_5: vec2<f32>;
+    var second_6: f32;
+    cell_5 = floor(p);
+    second_6 = floor(seconds);
+    let _e10 = cell_5;
+    let _e12 = cell_5;
+    let _e14 = second_6;
+    let _e16 = second_6;
     let _e18 = gabor_water_at(vec2<i32>(_e10), (p - _e12), i32(_e14), (seconds - _e16), dx, dy, ocean, seed);
     return _e18;
 }
@@ -1229,10 +1255,10 @@ fn gabor_water(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> Gabo
 
 fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> f32 {
     var at: vec2<f32>;
-    var i_2: i32 = 0i;
+    var i_3: i32 = 0i;
     at = p;
     loop {
-        let _e7 = i_2;
+        let _e7 = i_3;
         if !((_e7 < 5i)) {
             break;
         }
@@ -1240,8 +1266,8 @@ fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) 
         let _e15 = gabor_water(_e14, seconds, ocean, seed);
         at = (p - _e15.shift);
         continuing {
-            let _e11 = i_2;
-            i_2 = (_e11 + 1i);
+            let _e11 = i_3;
+            i_3 = (_e11 + 1i);
         }
     }
     let _e18 = at;

@@ -7,28 +7,27 @@ const drop_ins = await drop_in("gabor_noise") + await drop_in("gabor_erosion");
 
 const material = new THREE.MeshStandardMaterial({ roughness: 1 });
 material.onBeforeCompile = shader => {
+    const shared = `#include <common>
+        ${drop_ins}
+        varying vec2 at;
+        GaborTerrain ground(vec2 dx, vec2 dy) { // without what is too fine for steps of dx and dy
+            return gabor_eroded_at(GaborTerrainPlace(ivec2(0), at, vec2(0.0)), dx, dy, gabor_terrain(at, 7u), gabor_erosion(), 7u);
+        }`;
     shader.vertexShader = shader.vertexShader
-        .replace("#include <common>", `#include <common>
-            ${drop_ins}
-            varying vec3 height_slope_ridge;
-            const float spacing = 8.0 / 511.0; // vertex spacing; gullies too fine for it fade out
-            GaborTerrain ground(vec2 p) {
-                vec2 x = vec2(spacing, 0.0), y = vec2(0.0, spacing);
-                return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u);
-            }`)
-        .replace("#include <beginnormal_vertex>", `
-            GaborTerrain here = ground(position.xz);
-            vec3 objectNormal = normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
-            height_slope_ridge = vec3(here.height, length(here.slope), here.ridge);`)
-        .replace("#include <begin_vertex>", "vec3 transformed = vec3(position.x, here.height, position.z);");
+        .replace("#include <common>", shared)
+        .replace("#include <begin_vertex>", `
+            const float spacing = 8.0 / 511.0; // of vertices
+            at = position.xz;
+            vec3 transformed = vec3(at.x, ground(vec2(spacing, 0.0), vec2(0.0, spacing)).height, at.y);`);
     shader.fragmentShader = shader.fragmentShader
-        .replace("#include <common>", "#include <common>\nvarying vec3 height_slope_ridge;")
+        .replace("#include <common>", shared)
         .replace("#include <color_fragment>", `
-            vec3 ground = height_slope_ridge;
-            vec3 rock = mix(vec3(0.18, 0.15, 0.13), vec3(0.38, 0.35, 0.32), 0.5 + 0.5 * ground.z);
-            float grass = smoothstep(0.9, 0.5, ground.y) * smoothstep(0.35, 0.0, ground.x);
-            float snow = smoothstep(0.25, 0.5, ground.x - 0.1 * ground.z) * smoothstep(1.4, 0.8, ground.y);
-            diffuseColor.rgb = mix(mix(rock, vec3(0.11, 0.14, 0.05), grass), vec3(0.9), snow);`);
+            GaborTerrain here = ground(dFdx(at), dFdy(at));
+            vec4 cover = gabor_ground(here);
+            diffuseColor.rgb = cover.x * vec3(0.11, 0.14, 0.05) + cover.y * vec3(0.3, 0.25, 0.16) + cover.z * vec3(0.28, 0.25, 0.22)
+                + cover.w * vec3(0.9);`)
+        .replace("#include <normal_fragment_maps>", `
+            normal = normalize((viewMatrix * vec4(-here.slope.x, 1.0, -here.slope.y, 0.0)).xyz);`);
 };
 
 const renderer = new THREE.WebGLRenderer({ antialias: true });
