@@ -57,25 +57,25 @@ const TESTS = {
 // ---- What a page shows ---------------------------------------------------------------------------------------------
 
 const rounded = value => typeof value === "number" ? +value.toPrecision(5) : value;
-const lines = value => JSON.stringify(value, (_, each) => rounded(each));
+const lines = (value, short = text => text) => JSON.stringify(value, (_, each) => typeof each === "string" ? short(each) : rounded(each));
 const choose = (page, language) => {
     page.$("#language").value = language;
     page.$("#language").send("change");
 };
 function shown(page) {
-    const seen = page.root.all().filter(each => !each.hidden && each.tag !== "meta").map(each => lines([
-        each.tag, each.attributes, [...each.classList.all], each.text, each.innerHTML, each.title, each.label, each.value, each.checked,
-        each.type, each.min, each.max, each.step, each.disabled, each.tabIndex]));
-    // Texts of drop-ins stand for themselves.
+    // Drop-ins have tests of their own: their names stand for their texts.
     const short = text => Object.entries(page.texts).reduce((text, [name, whole]) => whole.trim() ? text.replace(whole.trim(), `<${name}>`) : text, text);
+    const seen = page.root.all().filter(each => !each.hidden && each.tag !== "meta" && each.attributes?.type !== "text/plain").map(each => lines([
+        each.tag, each.attributes, [...each.classList.all], each.text, each.innerHTML, each.title, each.label, each.value, each.checked,
+        each.type, each.min, each.max, each.step, each.disabled, each.tabIndex], short));
     const language = page.$("#language"), copied = language?.options.filter(each => !each.disabled).map(({ value }) => {
         choose(page, value);
         return `---- ${value}\n${short(page.$("textarea").value)}`;
     }).join("\n") ?? "";
     if (language)
         choose(page, "GLSL");
-    return { page: seen.join("\n"), address: page.location.hash, copy: copied, drawing: page.calls.filter(([, name]) => name !== "time" || copied.includes("iTime")).map(lines).join("\n"),
-             said: page.said.splice(0).map(said => lines(said.map(each => typeof each === "string" ? short(each) : each))).join("\n") };
+    return { page: seen.join("\n"), address: page.location.hash, copy: copied, drawing: page.calls.filter(([, name]) => name !== "time" || copied.includes("iTime")).map(call => lines(call, short)).join("\n"),
+             said: page.said.splice(0).map(said => lines(said, short)).join("\n") };
 }
 
 // ---- Steps ---------------------------------------------------------------------------------------------------------
