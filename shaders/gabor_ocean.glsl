@@ -354,9 +354,9 @@ GaborWater gabor_water(vec2 p, float seconds, GaborOcean ocean, uint seed) {
 }
 
 float gabor_water_height(vec2 p, float seconds, GaborOcean ocean, uint seed) {
-    vec2 at = p;
-    for (int i = 0; i < 5; ++i) at = p - gabor_water(at, seconds, ocean, seed).shift;
-    return gabor_water(at, seconds, ocean, seed).height;
+    GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0));
+    for (int i = 0; i < 6; ++i) water = gabor_water(p - water.shift, seconds, ocean, seed);
+    return water.height;
 }
 
 #endif // GABOR_OCEAN_GLSL

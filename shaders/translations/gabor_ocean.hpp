@@ -359,9 +359,9 @@ GABOR_INLINE GaborWater gabor_water(gabor_vec2 p, float seconds, GaborOcean ocea
 }
 
 GABOR_INLINE float gabor_water_height(gabor_vec2 p, float seconds, GaborOcean ocean, std::uint32_t seed) {
-    gabor_vec2 at = p;
-    for (int i = 0; i < 5; ++i) at = p - gabor_water(at, seconds, ocean, seed).shift;
-    return gabor_water(at, seconds, ocean, seed).height;
+    GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
+    for (int i = 0; i < 6; ++i) water = gabor_water(p - water.shift, seconds, ocean, seed);
+    return water.height;
 }
 
 #endif // GABOR_OCEAN_HPP

@@ -360,9 +360,9 @@ inline GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint se
 }
 
 inline float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed) {
-    float2 at = p;
-    for (int i = 0; i < 5; ++i) at = p - gabor_water(at, seconds, ocean, seed).shift;
-    return gabor_water(at, seconds, ocean, seed).height;
+    GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, float3(0.0)};
+    for (int i = 0; i < 6; ++i) water = gabor_water(p - water.shift, seconds, ocean, seed);
+    return water.height;
 }
 
 #endif // GABOR_OCEAN_METAL

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e117948eed4c988e.
+// naga 30.0.1 made it from GLSL with the digest b10cc731e475d5b3.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -1254,24 +1254,22 @@ fn gabor_water(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> Gabo
 }
 
 fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> f32 {
-    var at: vec2<f32>;
+    var water_2: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
     var i_3: i32 = 0i;
-    at = p;
     loop {
-        let _e7 = i_3;
-        if !((_e7 < 5i)) {
+        let _e16 = i_3;
+        if !((_e16 < 6i)) {
             break;
         }
-        let _e14 = at;
-        let _e15 = gabor_water(_e14, seconds, ocean, seed);
-        at = (p - _e15.shift);
+        let _e23 = water_2;
+        let _e26 = gabor_water((p - _e23.shift), seconds, ocean, seed);
+        water_2 = _e26;
         continuing {
-            let _e11 = i_3;
-            i_3 = (_e11 + 1i);
+            let _e20 = i_3;
+            i_3 = (_e20 + 1i);
         }
     }
-    let _e18 = at;
-    let _e19 = gabor_water(_e18, seconds, ocean, seed);
-    return _e19.height;
+    let _e27 = water_2;
+    return _e27.height;
 }
 
