@@ -306,9 +306,11 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
                        fmt::join(render::preset_names(), ", ")));
     option("--like", options->like, "FILE", "Take all other options from an earlier EXR or a JSON file");
     option("--frames", options->frames, "NUMBER",
-           fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
-                       "NAME.0001.exr, NAME.0002.exr ... [1]",
-                       render::most_frames));
+           fmt::format(
+               "Render one period of the animation, or one loop of a sea, in this many frames, from 1 to {}; "
+               "those of an endless sea are 1/25 s apart: "
+               "NAME.0001.exr, NAME.0002.exr ... [1]",
+               render::most_frames));
     add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
 

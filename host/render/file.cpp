@@ -42,7 +42,9 @@ float srgb(float light) {
 }
 
 Request frame_of(Request request, int frame, int frames) {
-    request.time += has_sea(request) ? frame / 25.0 : static_cast<double>(frame) / frames;
+    const auto* sea = std::get_if<Sea>(&request.view);
+    const double share = static_cast<double>(frame) / frames;
+    request.time += !sea ? share : sea->loop > 0 ? sea->loop * share : frame / 25.0;
     return request;
 }
 
