@@ -151,9 +151,9 @@ void add_compression_option(CLI::App& command, std::string& compression) {
                     throw RequestError(fmt::format("--compression '{}': expected {}", name, accepted));
                 compression = name;
             },
-            fmt::format(
-                "Lossless compression of the EXR, for skies and nodata; noise hardly gets smaller: {} [none]",
-                accepted))
+            fmt::format("Lossless compression of the EXR, which helps where much of the picture is equal, "
+                        "such as sky, and hardly with noise: {} [none]",
+                        accepted))
         ->type_name("NAME");
 }
 

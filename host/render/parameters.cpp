@@ -339,7 +339,8 @@ std::vector<Parameter> terrain_rows() {
 }
 
 // Sea::loop is 0 or a power of 2 from 8.
-constexpr std::array<std::string_view, 8> loops{"never", "8", "16", "32", "64", "128", "256", "512"};
+constexpr std::array<std::string_view, 11> loops{"never", "8",   "16",   "32",   "64",  "128",
+                                                 "256",   "512", "1024", "2048", "4096"};
 
 Place seconds_of_loop() {
     return {[](const Request& request) -> std::optional<Value> {
@@ -371,7 +372,9 @@ std::vector<Parameter> sea_rows() {
             row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
                 "Where the swell goes, from the direction of the wind", in_view(&Sea::swell_direction)),
             row("loop", Kind::choice, "seconds", none, none, scopes::sea,
-                "Time after which the sea repeats exactly, for films; groups of waves then stand still",
+                "Seconds after which the sea repeats exactly, for films: several periods of the swell, since "
+                "periods "
+                "become a whole part of them. Groups of waves then stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};

@@ -91,9 +91,9 @@ Value value_of(const Parameter& p, const json& value) {
         must(value.is_array() && value.size() == 3 &&
              std::ranges::all_of(value, [](const json& part) { return part.is_number(); }));
         return value.get<std::array<double, 3>>();
-    default:
-        must(value.is_string());
-        return value.get<std::string>();
+    default: // the names of some choices are numbers
+        must(value.is_string() || value.is_number_integer());
+        return value.is_string() ? value.get<std::string>() : dumped(value);
     }
 }
 

@@ -171,7 +171,8 @@ void path_field(const char* label, std::string& path, std::string shown) {
 constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
-    "NAME.0001.exr and so on: the frames of one period, to play in a loop",
+    "NAME.0001.exr and so on: the frames of one period, or of a sea's loop; those of an endless sea are 1/25 "
+    "s apart",
     "A tiled EXR for renderers, with filtered mip-map levels. Its sides must be powers of two.",
     "A folder of images for other programs: base colour, normal and height; for a material, also roughness, "
     "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for a "

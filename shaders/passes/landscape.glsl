@@ -51,7 +51,7 @@ vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
     }
     float pale = pale_layers(here.height, pixel * steep);
     if (ground.cover == 2) // sand below layered cliffs
-        return mix(mix(vec3(0.4, 0.25, 0.13), vec3(0.46, 0.3, 0.18), smoothstep(-0.3, 0.35, here.height + 0.1 * here.ridge)),
+        return mix(mix(vec3(0.4, 0.25, 0.13), vec3(0.46, 0.3, 0.18), smoothstep(-0.3, 0.35, here.height)),
                    mix(vec3(0.34, 0.125, 0.06), vec3(0.56, 0.33, 0.19), pale), smoothstep(0.25, 0.7, steep));
     vec3 clay = mix(vec3(0.3, 0.17, 0.13), vec3(0.5, 0.43, 0.34), pale); // layered clay above pale wash
     return mix(vec3(0.47, 0.42, 0.34), clay, smoothstep(-0.15, 0.3, steep - 0.5 - 0.3 * min(here.ridge, 0.0)));

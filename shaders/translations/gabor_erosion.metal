@@ -65,8 +65,9 @@ struct GaborErosion {
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
 // float4 gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, and scree
-//     rather than grass below ridges. Heights are those of gabor_terrain, about from -1 to 1.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
+//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
+//     those of gabor_terrain.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(int2(0), p, float2(0.0)) for a point
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest a49a82e1437ef4c6.
+// naga 30.0.1 made it from GLSL with the digest 14606c89ac76cd53.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -54,8 +54,9 @@ struct GaborErosion {
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
 // vec4f gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, and scree
-//     rather than grass below ridges. Heights are those of gabor_terrain, about from -1 to 1.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
+//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
+//     those of gabor_terrain.
 
 struct GaborTerrainPlace {
     cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis

@@ -28,6 +28,9 @@
 #ifndef GABOR_OCEAN_BANDS
 #define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
 #endif
+#if GABOR_OCEAN_BANDS < 1 || GABOR_OCEAN_BANDS > 12
+#error GABOR_OCEAN_BANDS must be 1 to 12
+#endif
 
 // Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
@@ -45,8 +48,8 @@ struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind
-    gabor_vec3 swell;      // significant height in metres, 4 times the rms height, period in seconds, direction
-    int loop;        // the seconds after which all repeats, or 0
+    gabor_vec3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
+    int loop;        // the seconds after which all repeats, or 0 for never
     gabor_vec2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
     GaborOceanBand band[GABOR_OCEAN_BANDS + 1] = {}; // the swell is the last
 };
@@ -54,11 +57,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(float wind)
 // GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell from a remote storm has a period of 5 to 25 s and sharper
-//     peaks [G10]: vec3(0.0) for none. For films, all can repeat after a loop of 8, 16, 32 ... 4096 seconds. Its price:
-//     frequencies are multiples of 1 / loop, few for long waves, and groups of waves stand still. Compute a sea once, on the
-//     CPU if the CPU also asks for heights: the integers may round differently on another device. To change a member, call
-//     this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell comes from a remote storm, in narrow directions and with a
+//     sharp peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
+//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
+//     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
+//     for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -74,7 +77,8 @@ struct GaborWater {
 
 // GaborWater gabor_water_filtered(vec2 p, vec2 dx, vec2 dy, float seconds, GaborOcean ocean, uint seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dFdx(p), dFdy(p).
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
+//     nor a loop. dx and dy are dFdx(p), dFdy(p).
 
 // float gabor_water_height(vec2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
@@ -93,9 +97,9 @@ struct GaborWater {
 // ====================================================================================================================
 //
 // Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
-// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// frequency F and an angle d from the band's direction, from which the wave number follows by the dispersion relation of deep water,
 // (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
-// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
 // Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
@@ -117,11 +121,6 @@ GABOR_INLINE float gabor_impl_quantile(float share, gabor_vec4 sums, gabor_vec4 
     float rest = (share - found.x) / (found.y - found.x), start = 2.0f * found.z / (found.z + found.w);
     float within = 2.0f * rest / (start + gabor_cpp_sqrt(gabor_cpp_max(start * start + 4.0f * (1.0f - start) * rest, 0.0f)));
     return 106.0f * (within + (share < sums.x ? 0.0f : share < sums.y ? 1.0f : share < sums.z ? 2.0f : 3.0f));
-}
-
-// Whether a band sums three nodes along each axis.
-GABOR_INLINE bool gabor_impl_three(int band) {
-    return (band > 0 && band < 4) || band == GABOR_OCEAN_BANDS;
 }
 
 GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch, gabor_vec3 swell, int loop) {
@@ -184,7 +183,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         band.amplitude = gabor_cpp_sqrt(tall);
         band.slopes = 16.195056f * tall * sum.y / sum.x * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
         if (!remote) ocean.tail -= band.slopes;
-        band.exponent = remote ? int(gabor_cpp_floor(gabor_cpp_log2(9.0f / (peak * peak)))) : 34 - 2 * power - i - (gabor_impl_three(i) ? 0 : 1);
+        band.exponent = remote ? int(gabor_cpp_floor(gabor_cpp_log2(9.0f / (peak * peak)))) : 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
         band.low = low;
         band.quarter = gabor_vec4(quartile, 424.0f) - gabor_vec4(0.0f, quartile);
         band.spread = gabor_cpp_floor(4092.0f * gabor_vec3(a, b, c));
@@ -212,10 +211,10 @@ GABOR_INLINE float gabor_impl_whole(float x) {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
 // rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
-// last is its deviation, times k / wave. `quantum` is 65536 / loop, or 0. `squeeze` collects the derivatives of the shift. It and
+// last is its deviation, times k / wave. `quantum` is (65536 / loop, loop / 65536), or 0. `squeeze` collects the derivatives of the shift. It and
 // `lost` have the parts xx, xy and xx + yy.
 GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec3& squeeze, std::uint32_t word, gabor_vec2 from, gabor_vec3 window, GaborOceanBand band,
-                          gabor_vec2 heading, float quantum, float wave, gabor_vec3 shape, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy) {
+                          gabor_vec2 heading, gabor_vec2 quantum, float wave, gabor_vec3 shape, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy) {
     std::uint32_t bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
     float share = 0.00390625f * float(bits >> 22u); // of 4
@@ -230,8 +229,8 @@ GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec3& squeeze, std
     float part = gabor_impl_whole(1.2207031e-4f * angle), lag = gabor_impl_whole(4.8828125e-4f * part * part);
     float steep = gabor_impl_whole(9.765625e-4f * rise * rise), carried = steep - gabor_impl_whole(9.765625e-4f * steep * lag);
     float turning = gabor_impl_whole(gabor_impl_whole(0.0078125f * (2048.0f * rise - 861.0f * carried)) * (6.103515625e-5f * band.low));
-    if (quantum > 0.0f) { // the lattice stands
-        turning = quantum * gabor_cpp_max(gabor_impl_whole(rise * (9.765625e-4f * band.low / quantum) + 0.5f), 1.0f);
+    if (quantum.x > 0.0f) { // the lattice stands, and F becomes a multiple of 1 / loop
+        turning = quantum.x * gabor_cpp_max(gabor_impl_whole(rise * (9.765625e-4f * band.low * quantum.y) + 0.5f), 1.0f);
         rise = 1024.0f * turning / band.low;
     }
     float k = wave * rise * rise, around = 6.2831853f * k, chord = (side < 0.0f ? -1.1920929e-7f : 1.1920929e-7f) * angle;
@@ -283,9 +282,10 @@ GABOR_INLINE gabor_vec3 gabor_impl_slopes_along(gabor_vec2 variances, gabor_vec2
 }
 
 // Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
-GABOR_INLINE void gabor_impl_add_band(GaborWater& water, gabor_vec3& squeeze, GaborOceanBand band, bool three, gabor_vec2 heading, float quantum,
+GABOR_INLINE void gabor_impl_add_band(GaborWater& water, gabor_vec3& squeeze, GaborOceanBand band, bool three, gabor_vec2 heading, gabor_vec2 quantum,
                          float least, gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    float longest = 1.486e-10f * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
+    float lowest = quantum.x > 0.0f ? quantum.x * gabor_cpp_max(gabor_cpp_floor(band.low * quantum.y + 0.5f), 1.0f) : band.low;
+    float longest = 1.486e-10f * lowest * lowest; // the smallest wave number, 2 pi f^2 / g
     if (band.amplitude == 0.0f || longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
         water.lost += gabor_impl_slopes_along(band.slopes, heading);
         return;
@@ -327,14 +327,14 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     gabor_vec2 wind = gabor_impl_wave(0.15915494f * ocean.direction), swell = gabor_impl_wave(0.15915494f * ocean.swell.z);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
     gabor_vec3 squeeze = gabor_vec3(0.0f);
-    float quantum = ocean.loop > 0 ? 65536.0f / float(ocean.loop) : 0.0f;
+    gabor_vec2 quantum = ocean.loop > 0 ? gabor_vec2(float(65536 / ocean.loop), 1.52587890625e-5f * float(ocean.loop)) : gabor_vec2(0.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     int threes = gabor_cpp_min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0f ? threes + 1 : threes;
     for (int i = 1; i <= last; ++i) {
         int k = i > threes ? GABOR_OCEAN_BANDS : i;
         gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
-                            fraction, dx, dy, gabor_lobe_seed(seed, k));
+                            fraction, dx, dy, gabor_lobe_seed(seed, i > threes ? 12 : k)); // the swell is the same for any bands
     }
     for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
         int k = i == 0 ? 0 : i + threes;

@@ -29,6 +29,9 @@ using namespace metal;
 #ifndef GABOR_OCEAN_BANDS
 #define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
 #endif
+#if GABOR_OCEAN_BANDS < 1 || GABOR_OCEAN_BANDS > 12
+#error GABOR_OCEAN_BANDS must be 1 to 12
+#endif
 
 // Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
@@ -46,8 +49,8 @@ struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind
-    float3 swell;      // significant height in metres, 4 times the rms height, period in seconds, direction
-    int loop;        // the seconds after which all repeats, or 0
+    float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
+    int loop;        // the seconds after which all repeats, or 0 for never
     float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
     GaborOceanBand band[GABOR_OCEAN_BANDS + 1]; // the swell is the last
 };
@@ -55,11 +58,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(float wind)
 // GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell from a remote storm has a period of 5 to 25 s and sharper
-//     peaks [G10]: float3(0.0) for none. For films, all can repeat after a loop of 8, 16, 32 ... 4096 seconds. Its price:
-//     frequencies are multiples of 1 / loop, few for long waves, and groups of waves stand still. Compute a sea once, on the
-//     CPU if the CPU also asks for heights: the integers may round differently on another device. To change a member, call
-//     this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell comes from a remote storm, in narrow directions and with a
+//     sharp peak [G10]; float3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
+//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
+//     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
+//     for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -75,7 +78,8 @@ struct GaborWater {
 
 // GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dfdx(p), dfdy(p).
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
+//     nor a loop. dx and dy are dfdx(p), dfdy(p).
 
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
@@ -94,9 +98,9 @@ struct GaborWater {
 // ====================================================================================================================
 //
 // Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
-// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// frequency F and an angle d from the band's direction, from which the wave number follows by the dispersion relation of deep water,
 // (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
-// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
 // Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
@@ -118,11 +122,6 @@ inline float gabor_impl_quantile(float share, float4 sums, float4 starts, float4
     float rest = (share - found.x) / (found.y - found.x), start = 2.0 * found.z / (found.z + found.w);
     float within = 2.0 * rest / (start + sqrt(max(start * start + 4.0 * (1.0 - start) * rest, 0.0)));
     return 106.0 * (within + (share < sums.x ? 0.0 : share < sums.y ? 1.0 : share < sums.z ? 2.0 : 3.0));
-}
-
-// Whether a band sums three nodes along each axis.
-inline bool gabor_impl_three(int band) {
-    return (band > 0 && band < 4) || band == GABOR_OCEAN_BANDS;
 }
 
 inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop) {
@@ -185,7 +184,7 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         band.amplitude = sqrt(tall);
         band.slopes = 16.195056 * tall * sum.y / sum.x * float2(along, 1.0 - along); // (4 pi^2 / g)^2
         if (!remote) ocean.tail -= band.slopes;
-        band.exponent = remote ? int(floor(log2(9.0 / (peak * peak)))) : 34 - 2 * power - i - (gabor_impl_three(i) ? 0 : 1);
+        band.exponent = remote ? int(floor(log2(9.0 / (peak * peak)))) : 34 - 2 * power - i - (i > 0 && i < 4 ? 0 : 1);
         band.low = low;
         band.quarter = float4(quartile, 424.0) - float4(0.0, quartile);
         band.spread = floor(4092.0 * float3(a, b, c));
@@ -213,10 +212,10 @@ inline float gabor_impl_whole(float x) {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
 // rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
-// last is its deviation, times k / wave. `quantum` is 65536 / loop, or 0. `squeeze` collects the derivatives of the shift. It and
+// last is its deviation, times k / wave. `quantum` is (65536 / loop, loop / 65536), or 0. `squeeze` collects the derivatives of the shift. It and
 // `lost` have the parts xx, xy and xx + yy.
 inline void gabor_impl_add_water(thread GaborWater& sum, thread float3& squeeze, uint word, float2 from, float3 window, GaborOceanBand band,
-                          float2 heading, float quantum, float wave, float3 shape, int second, float fraction, float2 dx, float2 dy) {
+                          float2 heading, float2 quantum, float wave, float3 shape, int second, float fraction, float2 dx, float2 dy) {
     uint bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
     float share = 0.00390625 * float(bits >> 22u); // of 4
@@ -231,8 +230,8 @@ inline void gabor_impl_add_water(thread GaborWater& sum, thread float3& squeeze,
     float part = gabor_impl_whole(1.2207031e-4 * angle), lag = gabor_impl_whole(4.8828125e-4 * part * part);
     float steep = gabor_impl_whole(9.765625e-4 * rise * rise), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
     float turning = gabor_impl_whole(gabor_impl_whole(0.0078125 * (2048.0 * rise - 861.0 * carried)) * (6.103515625e-5 * band.low));
-    if (quantum > 0.0) { // the lattice stands
-        turning = quantum * max(gabor_impl_whole(rise * (9.765625e-4 * band.low / quantum) + 0.5), 1.0);
+    if (quantum.x > 0.0) { // the lattice stands, and F becomes a multiple of 1 / loop
+        turning = quantum.x * max(gabor_impl_whole(rise * (9.765625e-4 * band.low * quantum.y) + 0.5), 1.0);
         rise = 1024.0 * turning / band.low;
     }
     float k = wave * rise * rise, around = 6.2831853 * k, chord = (side < 0.0 ? -1.1920929e-7 : 1.1920929e-7) * angle;
@@ -284,9 +283,10 @@ inline float3 gabor_impl_slopes_along(float2 variances, float2 along) {
 }
 
 // Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
-inline void gabor_impl_add_band(thread GaborWater& water, thread float3& squeeze, GaborOceanBand band, bool three, float2 heading, float quantum,
+inline void gabor_impl_add_band(thread GaborWater& water, thread float3& squeeze, GaborOceanBand band, bool three, float2 heading, float2 quantum,
                          float least, int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, uint seed) {
-    float longest = 1.486e-10 * band.low * band.low; // the smallest wave number, 2 pi f^2 / g
+    float lowest = quantum.x > 0.0 ? quantum.x * max(floor(band.low * quantum.y + 0.5), 1.0) : band.low;
+    float longest = 1.486e-10 * lowest * lowest; // the smallest wave number, 2 pi f^2 / g
     if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
         water.lost += gabor_impl_slopes_along(band.slopes, heading);
         return;
@@ -328,14 +328,14 @@ inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float frac
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind)};
     float3 squeeze = float3(0.0);
-    float quantum = ocean.loop > 0 ? 65536.0 / float(ocean.loop) : 0.0;
+    float2 quantum = ocean.loop > 0 ? float2(float(65536 / ocean.loop), 1.52587890625e-5 * float(ocean.loop)) : float2(0.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     int threes = min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0 ? threes + 1 : threes;
     for (int i = 1; i <= last; ++i) {
         int k = i > threes ? GABOR_OCEAN_BANDS : i;
         gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
-                            fraction, dx, dy, gabor_lobe_seed(seed, k));
+                            fraction, dx, dy, gabor_lobe_seed(seed, i > threes ? 12 : k)); // the swell is the same for any bands
     }
     for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
         int k = i == 0 ? 0 : i + threes;

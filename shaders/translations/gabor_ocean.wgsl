@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b10cc731e475d5b3.
+// naga 30.0.1 made it from GLSL with the digest 6cc9e83796399e29.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -31,8 +31,8 @@ struct GaborOcean {
     wind: f32, // speed in metres per second, 10 m up
     direction: f32, // where the waves go: radians from +x towards +y
     fetch: f32, // metres of open water upwind
-    swell: vec3<f32>, // significant height in metres, 4 times the rms height, period in seconds, direction
-    loop_: i32, // the seconds after which all repeats, or 0
+    swell: vec3<f32>, // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
+    loop_: i32, // the seconds after which all repeats, or 0 for never
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
     band: array<GaborOceanBand, 10>, // the swell is the last
 }
@@ -40,11 +40,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(f32 wind)
 // GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell from a remote storm has a period of 5 to 25 s and sharper
-//     peaks [G10]: vec3f(0.0) for none. For films, all can repeat after a loop of 8, 16, 32 ... 4096 seconds. Its price:
-//     frequencies are multiples of 1 / loop, few for long waves, and groups of waves stand still. Compute a sea once, on the
-//     CPU if the CPU also asks for heights: the integers may round differently on another device. To change a member, call
-//     this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell comes from a remote storm, in narrow directions and with a
+//     sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
+//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
+//     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
+//     for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -60,7 +60,8 @@ struct GaborWater {
 
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dpdx(p), dpdy(p).
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
+//     nor a loop. dx and dy are dpdx(p), dpdy(p).
 
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
@@ -79,9 +80,9 @@ struct GaborWater {
 // ====================================================================================================================
 //
 // Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
-// frequency F and an angle d from the wind, from which the wave number follows by the dispersion relation of deep water,
+// frequency F and an angle d from the band's direction, from which the wave number follows by the dispersion relation of deep water,
 // (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
-// from there, phases turn by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
+// from there, phases turn by F - k.V. With V = g / (4 pi f0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
 // Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
@@ -196,11 +197,6 @@ fn gabor_impl_quantile(share: f32, sums: vec4<f32>, starts: vec4<f32>, ends: vec
     return (106f * (_e91 + _e110));
 }
 
-// Whether a band sums three nodes along each axis.
-fn gabor_impl_three(band: i32) -> bool {
-    return (((band > 0i) && (band < 4i)) || (band == 9i));
-}
-
 fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
     var direction_1: f32;
     var gravity: f32 = 9.81f;
@@ -249,7 +245,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     var along: f32;
     var speed: f32;
     var quartile: vec3<f32>;
-    var band_1: GaborOceanBand;
+    var band: GaborOceanBand;
     var local_22: f32;
     var local_23: f32;
     var tall: f32;
@@ -529,17 +525,17 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
             let _e559 = local_23;
             tall = _e559;
             let _e562 = tall;
-            band_1.amplitude = sqrt(_e562);
+            band.amplitude = sqrt(_e562);
             let _e566 = tall;
             let _e568 = sum_5;
             let _e571 = sum_5;
             let _e574 = along;
             let _e576 = along;
-            band_1.slopes = ((((16.195057f * _e566) * _e568.y) / _e571.x) * vec2<f32>(_e574, (1f - _e576)));
+            band.slopes = ((((16.195057f * _e566) * _e568.y) / _e571.x) * vec2<f32>(_e574, (1f - _e576)));
             let _e580 = remote;
             if !(_e580) {
                 let _e583 = ocean;
-                let _e585 = band_1;
+                let _e585 = band;
                 ocean.tail = (_e583.tail - _e585.slopes);
             }
             let _e589 = remote;
@@ -551,57 +547,57 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
                 let _e600 = power_1;
                 let _e603 = i;
                 let _e605 = i;
-                let _e606 = gabor_impl_three(_e605);
-                if _e606 {
+                let _e608 = i;
+                if ((_e605 > 0i) && (_e608 < 4i)) {
                     local_24 = 0i;
                 } else {
                     local_24 = 1i;
                 }
-                let _e610 = local_24;
-                local_25 = (((34i - (2i * _e600)) - _e603) - _e610);
+                let _e615 = local_24;
+                local_25 = (((34i - (2i * _e600)) - _e603) - _e615);
             }
-            let _e613 = local_25;
-            band_1.exponent = _e613;
-            let _e615 = low;
-            band_1.low = _e615;
-            let _e617 = quartile;
-            let _e624 = quartile;
-            band_1.quarter = (vec4<f32>(_e617.x, _e617.y, _e617.z, 424f) - vec4<f32>(0f, _e624.x, _e624.y, _e624.z));
-            let _e632 = a_2;
-            let _e633 = b_2;
-            let _e634 = c_1;
-            band_1.spread = floor((4092f * vec3<f32>(_e632, _e633, _e634)));
-            let _e641 = fit;
-            let _e643 = widen;
-            let _e646 = widen;
-            band_1.widen = floor((16384f * vec2<f32>((1f - (_e641.x * _e643)), _e646)));
-            let _e650 = speed;
-            let _e651 = ocean;
-            if (_e651.loop_ > 0i) {
+            let _e618 = local_25;
+            band.exponent = _e618;
+            let _e620 = low;
+            band.low = _e620;
+            let _e622 = quartile;
+            let _e629 = quartile;
+            band.quarter = (vec4<f32>(_e622.x, _e622.y, _e622.z, 424f) - vec4<f32>(0f, _e629.x, _e629.y, _e629.z));
+            let _e637 = a_2;
+            let _e638 = b_2;
+            let _e639 = c_1;
+            band.spread = floor((4092f * vec3<f32>(_e637, _e638, _e639)));
+            let _e646 = fit;
+            let _e648 = widen;
+            let _e651 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - (_e646.x * _e648)), _e651)));
+            let _e655 = speed;
+            let _e656 = ocean;
+            if (_e656.loop_ > 0i) {
                 local_26 = 0f;
             } else {
-                let _e657 = band_1;
-                local_26 = (32768f * exp2(-(f32(_e657.exponent))));
+                let _e662 = band;
+                local_26 = (32768f * exp2(-(f32(_e662.exponent))));
             }
-            let _e664 = local_26;
-            speed = (_e650 * _e664);
-            let _e667 = speed;
-            let _e669 = direction_1;
-            let _e671 = gabor_impl_wave((0.15915494f * _e669));
-            band_1.drift = vec2<i32>(floor(((_e667 * _e671) + vec2(0.5f))));
-            let _e678 = i;
-            let _e681 = band_1;
-            ocean.band[_e678] = _e681;
+            let _e669 = local_26;
+            speed = (_e655 * _e669);
+            let _e672 = speed;
+            let _e674 = direction_1;
+            let _e676 = gabor_impl_wave((0.15915494f * _e674));
+            band.drift = vec2<i32>(floor(((_e672 * _e676) + vec2(0.5f))));
+            let _e683 = i;
+            let _e686 = band;
+            ocean.band[_e683] = _e686;
         }
         continuing {
             let _e113 = i;
             i = (_e113 + 1i);
         }
     }
-    let _e683 = ocean;
-    ocean.tail = max(_e683.tail, vec2(0f));
     let _e688 = ocean;
-    return _e688;
+    ocean.tail = max(_e688.tail, vec2(0f));
+    let _e693 = ocean;
+    return _e693;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -616,9 +612,9 @@ fn gabor_impl_whole(x: f32) -> f32 {
 
 // Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
 // rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
-// last is its deviation, times k / wave. `quantum` is 65536 / loop, or 0. `squeeze` collects the derivatives of the shift. It and
+// last is its deviation, times k / wave. `quantum` is (65536 / loop, loop / 65536), or 0. `squeeze` collects the derivatives of the shift. It and
 // `lost` have the parts xx, xy and xx + yy.
-fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, heading: vec2<f32>, quantum: f32, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
+fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, heading: vec2<f32>, quantum: vec2<f32>, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
     var bits: u32;
     var share_2: f32;
     var below_1: vec4<f32>;
@@ -699,98 +695,98 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e161 = gabor_impl_whole((0.0078125f * ((2048f * _e154) - (861f * _e157))));
     let _e166 = gabor_impl_whole((_e161 * (0.000061035156f * band.low)));
     turning = _e166;
-    if (quantum > 0f) {
+    if (quantum.x > 0f) {
         {
-            let _e170 = rise;
-            let _e178 = gabor_impl_whole(((_e170 * ((0.0009765625f * band.low) / quantum)) + 0.5f));
-            turning = (quantum * max(_e178, 1f));
-            let _e183 = turning;
-            rise = ((1024f * _e183) / band.low);
+            let _e172 = rise;
+            let _e181 = gabor_impl_whole(((_e172 * ((0.0009765625f * band.low) * quantum.y)) + 0.5f));
+            turning = (quantum.x * max(_e181, 1f));
+            let _e186 = turning;
+            rise = ((1024f * _e186) / band.low);
         }
     }
-    let _e187 = rise;
-    let _e189 = rise;
-    k = ((wave * _e187) * _e189);
-    let _e193 = k;
-    around = (6.2831855f * _e193);
-    let _e196 = side_1;
-    if (_e196 < 0f) {
+    let _e190 = rise;
+    let _e192 = rise;
+    k = ((wave * _e190) * _e192);
+    let _e196 = k;
+    around = (6.2831855f * _e196);
+    let _e199 = side_1;
+    if (_e199 < 0f) {
         local_27 = -0.00000011920929f;
     } else {
         local_27 = 0.00000011920929f;
     }
-    let _e203 = local_27;
-    let _e204 = angle;
-    chord = (_e203 * _e204);
-    let _e209 = chord;
-    let _e211 = chord;
+    let _e206 = local_27;
+    let _e207 = angle;
+    chord = (_e206 * _e207);
+    let _e212 = chord;
     let _e214 = chord;
     let _e217 = chord;
-    let _e219 = chord;
-    let _e225 = gabor_impl_product(heading, vec2<f32>((1f - ((0.5f * _e209) * _e211)), (_e214 * sqrt((1f - ((0.25f * _e217) * _e219))))));
-    unit = _e225;
-    let _e227 = turning;
-    let _e238 = turning;
-    turns = (f32((((u32(_e227) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e238 * fraction));
+    let _e220 = chord;
+    let _e222 = chord;
+    let _e228 = gabor_impl_product(heading, vec2<f32>((1f - ((0.5f * _e212) * _e214)), (_e217 * sqrt((1f - ((0.25f * _e220) * _e222))))));
+    unit = _e228;
+    let _e230 = turning;
+    let _e241 = turning;
+    turns = (f32((((u32(_e230) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e241 * fraction));
     uniforms = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
-    let _e250 = uniforms;
-    let _e252 = uniforms;
-    let _e261 = uniforms;
-    let _e262 = uniforms;
-    amplitude_2 = ((_e250 - (shape.x * clamp(_e252, vec2(-2011925800f), vec2(2011925800f)))) * ((_e261 * _e262) + vec2(shape.y)));
-    let _e269 = amplitude_2;
-    let _e270 = k;
-    let _e271 = unit;
-    let _e275 = turns;
-    let _e278 = gabor_impl_wave(((_e270 * dot(_e271, from_)) - (0.000015258789f * _e275)));
-    let _e279 = gabor_impl_product(_e269, _e278);
-    z_1 = _e279;
-    let _e281 = around;
-    let _e282 = unit;
-    let _e284 = unit;
-    steps = (_e281 * vec2<f32>(dot(_e282, dx), dot(_e284, dy)));
-    let _e291 = steps;
-    let _e292 = steps;
-    kept = exp((-0.125f * dot(_e291, _e292)));
-    let _e297 = z_1;
-    let _e298 = kept;
-    z_1 = (_e297 * _e298);
-    let _e301 = (*sum);
-    let _e303 = z_1;
-    (*sum).slope = (_e301.slope + (_e303.y * window.yz));
-    let _e308 = z_1;
-    z_1 = (_e308 * window.x);
+    let _e253 = uniforms;
+    let _e255 = uniforms;
+    let _e264 = uniforms;
+    let _e265 = uniforms;
+    amplitude_2 = ((_e253 - (shape.x * clamp(_e255, vec2(-2011925800f), vec2(2011925800f)))) * ((_e264 * _e265) + vec2(shape.y)));
+    let _e272 = amplitude_2;
+    let _e273 = k;
+    let _e274 = unit;
+    let _e278 = turns;
+    let _e281 = gabor_impl_wave(((_e273 * dot(_e274, from_)) - (0.000015258789f * _e278)));
+    let _e282 = gabor_impl_product(_e272, _e281);
+    z_1 = _e282;
+    let _e284 = around;
+    let _e285 = unit;
+    let _e287 = unit;
+    steps = (_e284 * vec2<f32>(dot(_e285, dx), dot(_e287, dy)));
+    let _e294 = steps;
+    let _e295 = steps;
+    kept = exp((-0.125f * dot(_e294, _e295)));
+    let _e300 = z_1;
+    let _e301 = kept;
+    z_1 = (_e300 * _e301);
+    let _e304 = (*sum);
+    let _e306 = z_1;
+    (*sum).slope = (_e304.slope + (_e306.y * window.yz));
     let _e311 = z_1;
-    let _e313 = unit;
-    along_1 = (_e311.x * _e313);
+    z_1 = (_e311 * window.x);
+    let _e314 = z_1;
     let _e316 = unit;
-    let _e318 = unit;
-    let _e319 = (_e316.x * _e318);
-    squares_1 = vec3<f32>(_e319.x, _e319.y, 1f);
-    let _e328 = around;
-    power_2 = ((shape.z * window.x) * _e328);
-    let _e332 = (*sum);
-    let _e334 = z_1;
-    (*sum).height = (_e332.height + _e334.y);
-    let _e338 = (*sum);
-    let _e340 = around;
-    let _e341 = along_1;
-    (*sum).slope = (_e338.slope + (_e340 * _e341));
-    let _e345 = (*sum);
-    let _e347 = along_1;
-    (*sum).shift = (_e345.shift + _e347);
-    let _e349 = (*squeeze);
-    let _e350 = around;
-    let _e351 = z_1;
-    let _e354 = squares_1;
-    (*squeeze) = (_e349 + ((_e350 * _e351.y) * _e354));
-    let _e358 = (*sum);
-    let _e360 = power_2;
-    let _e361 = power_2;
-    let _e364 = kept;
-    let _e365 = kept;
-    let _e369 = squares_1;
-    (*sum).lost = (_e358.lost + (((_e360 * _e361) * (1f - (_e364 * _e365))) * _e369));
+    along_1 = (_e314.x * _e316);
+    let _e319 = unit;
+    let _e321 = unit;
+    let _e322 = (_e319.x * _e321);
+    squares_1 = vec3<f32>(_e322.x, _e322.y, 1f);
+    let _e331 = around;
+    power_2 = ((shape.z * window.x) * _e331);
+    let _e335 = (*sum);
+    let _e337 = z_1;
+    (*sum).height = (_e335.height + _e337.y);
+    let _e341 = (*sum);
+    let _e343 = around;
+    let _e344 = along_1;
+    (*sum).slope = (_e341.slope + (_e343 * _e344));
+    let _e348 = (*sum);
+    let _e350 = along_1;
+    (*sum).shift = (_e348.shift + _e350);
+    let _e352 = (*squeeze);
+    let _e353 = around;
+    let _e354 = z_1;
+    let _e357 = squares_1;
+    (*squeeze) = (_e352 + ((_e353 * _e354.y) * _e357));
+    let _e361 = (*sum);
+    let _e363 = power_2;
+    let _e364 = power_2;
+    let _e367 = kept;
+    let _e368 = kept;
+    let _e372 = squares_1;
+    (*sum).lost = (_e361.lost + (((_e363 * _e364) * (1f - (_e367 * _e368))) * _e372));
     return;
 }
 
@@ -858,7 +854,9 @@ fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> 
 }
 
 // Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
-fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, three: bool, heading: vec2<f32>, quantum: f32, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
+fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, three: bool, heading: vec2<f32>, quantum: vec2<f32>, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
+    var local_30: f32;
+    var lowest: f32;
     var longest: f32;
     var salt_4: u32;
     var whole_x: i32;
@@ -866,11 +864,11 @@ fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, 
     var rest_x: f32;
     var rest_y: f32;
     var rest_3: vec2<f32>;
-    var local_30: f32;
+    var local_31: f32;
     var inset: f32;
     var spacing: f32;
-    var local_31: f32;
     var local_32: f32;
+    var local_33: f32;
     var energy: f32;
     var first_2: vec2<f32>;
     var offset: vec2<f32>;
@@ -879,218 +877,227 @@ fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, 
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var local_33: f32;
+    var local_34: f32;
     var deviation_1: f32;
-    var local_34: vec3<f32>;
+    var local_35: vec3<f32>;
     var shape_1: vec3<f32>;
     var f_2: f32;
-    var local_35: f32;
+    var local_36: f32;
     var wave_6: f32;
     var left: u32;
     var middle_1: u32;
     var right: u32;
     var from_1: vec2<f32>;
     var j_2: i32 = 0i;
-    var local_36: i32;
+    var local_37: i32;
     var row_1: u32;
-    var local_37: vec2<f32>;
     var local_38: vec2<f32>;
+    var local_39: vec2<f32>;
     var w: vec2<f32>;
-    longest = ((0.0000000001486f * band.low) * band.low);
-    let _e23 = longest;
-    let _e24 = longest;
-    if ((band.amplitude == 0f) || (((_e23 * _e24) * least) > 1.6f)) {
+    if (quantum.x > 0f) {
+        local_30 = (quantum.x * max(floor(((band.low * quantum.y) + 0.5f)), 1f));
+    } else {
+        local_30 = band.low;
+    }
+    let _e29 = local_30;
+    lowest = _e29;
+    let _e32 = lowest;
+    let _e34 = lowest;
+    longest = ((0.0000000001486f * _e32) * _e34);
+    let _e40 = longest;
+    let _e41 = longest;
+    if ((band.amplitude == 0f) || (((_e40 * _e41) * least) > 1.6f)) {
         {
-            let _e31 = (*water);
-            let _e34 = gabor_impl_slopes_along(band.slopes, heading);
-            (*water).lost = (_e31.lost + _e34);
+            let _e48 = (*water);
+            let _e51 = gabor_impl_slopes_along(band.slopes, heading);
+            (*water).lost = (_e48.lost + _e51);
             return;
         }
     }
-    let _e36 = gabor_impl_salt(seed);
-    salt_4 = _e36;
+    let _e53 = gabor_impl_salt(seed);
+    salt_4 = _e53;
     gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, (&whole_x), (&rest_x));
     gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, (&whole_y), (&rest_y));
-    let _e60 = rest_x;
-    let _e61 = rest_y;
-    let _e64 = salt_4;
-    let _e68 = salt_4;
-    rest_3 = (vec2<f32>(_e60, _e61) + (0.000015258789f * vec2<f32>(f32((_e64 & 65535u)), f32((_e68 >> 16u)))));
+    let _e77 = rest_x;
+    let _e78 = rest_y;
+    let _e81 = salt_4;
+    let _e85 = salt_4;
+    rest_3 = (vec2<f32>(_e77, _e78) + (0.000015258789f * vec2<f32>(f32((_e81 & 65535u)), f32((_e85 >> 16u)))));
     if three {
-        local_30 = 0.5f;
+        local_31 = 0.5f;
     } else {
-        local_30 = 0f;
+        local_31 = 0f;
     }
-    let _e79 = local_30;
-    inset = _e79;
+    let _e96 = local_31;
+    inset = _e96;
     spacing = exp2(f32(band.exponent));
     if three {
         if false {
-            local_31 = 1f;
+            local_32 = 1f;
         } else {
-            local_31 = 1.125f;
+            local_32 = 1.125f;
         }
-        let _e94 = local_31;
-        local_32 = _e94;
+        let _e111 = local_32;
+        local_33 = _e111;
     } else {
-        local_32 = 1f;
+        local_33 = 1f;
     }
-    let _e97 = local_32;
-    energy = _e97;
-    let _e99 = rest_3;
-    let _e100 = inset;
-    first_2 = floor((_e99 - vec2(_e100)));
-    let _e105 = inset;
-    let _e106 = rest_3;
-    let _e107 = inset;
-    let _e110 = first_2;
-    offset = (vec2(_e105) + clamp(((_e106 - vec2(_e107)) - _e110), vec2(0f), vec2(1f)));
-    let _e120 = whole_x;
-    let _e121 = whole_y;
-    let _e123 = first_2;
-    node = (vec2<i32>(_e120, _e121) + vec2<i32>(_e123));
-    let _e131 = offset;
-    gabor_impl_water_windows(three, _e131.x, (&x_8), (&slope_x));
-    let _e137 = offset;
-    gabor_impl_water_windows(three, _e137.y, (&y_4), (&slope_y));
+    let _e114 = local_33;
+    energy = _e114;
+    let _e116 = rest_3;
+    let _e117 = inset;
+    first_2 = floor((_e116 - vec2(_e117)));
+    let _e122 = inset;
+    let _e123 = rest_3;
+    let _e124 = inset;
+    let _e127 = first_2;
+    offset = (vec2(_e122) + clamp(((_e123 - vec2(_e124)) - _e127), vec2(0f), vec2(1f)));
+    let _e137 = whole_x;
+    let _e138 = whole_y;
+    let _e140 = first_2;
+    node = (vec2<i32>(_e137, _e138) + vec2<i32>(_e140));
+    let _e148 = offset;
+    gabor_impl_water_windows(three, _e148.x, (&x_8), (&slope_x));
+    let _e154 = offset;
+    gabor_impl_water_windows(three, _e154.y, (&y_4), (&slope_y));
     if three {
-        local_33 = 1459955300000000000000000000f;
+        local_34 = 1459955300000000000000000000f;
     } else {
-        local_33 = 1243281800000000000000000000000f;
+        local_34 = 1243281800000000000000000000000f;
     }
-    let _e146 = local_33;
-    deviation_1 = _e146;
+    let _e163 = local_34;
+    deviation_1 = _e163;
     if three {
-        let _e151 = deviation_1;
-        local_34 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e151));
+        let _e168 = deviation_1;
+        local_35 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e168));
     } else {
-        let _e157 = deviation_1;
-        local_34 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e157));
+        let _e174 = deviation_1;
+        local_35 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e174));
     }
-    let _e161 = local_34;
-    shape_1 = _e161;
-    let _e163 = x_8;
-    let _e165 = energy;
-    let _e166 = deviation_1;
-    x_8 = (_e163 * (band.amplitude / (_e165 * _e166)));
-    let _e170 = slope_x;
-    let _e172 = energy;
-    let _e173 = deviation_1;
-    let _e175 = spacing;
-    slope_x = (_e170 * (band.amplitude / ((_e172 * _e173) * _e175)));
-    let _e179 = slope_y;
-    let _e180 = spacing;
-    slope_y = (_e179 / vec4(_e180));
+    let _e178 = local_35;
+    shape_1 = _e178;
+    let _e180 = x_8;
+    let _e182 = energy;
+    let _e183 = deviation_1;
+    x_8 = (_e180 * (band.amplitude / (_e182 * _e183)));
+    let _e187 = slope_x;
+    let _e189 = energy;
+    let _e190 = deviation_1;
+    let _e192 = spacing;
+    slope_x = (_e187 * (band.amplitude / ((_e189 * _e190) * _e192)));
+    let _e196 = slope_y;
+    let _e197 = spacing;
+    slope_y = (_e196 / vec4(_e197));
     f_2 = (0.000000014901161f * band.low);
     if three {
-        local_35 = 0.6383f;
+        local_36 = 0.6383f;
     } else {
-        local_35 = 0.622f;
+        local_36 = 0.622f;
     }
-    let _e190 = local_35;
-    let _e191 = f_2;
-    let _e193 = f_2;
-    wave_6 = ((_e190 * _e191) * _e193);
-    let _e196 = node;
-    let _e198 = salt_4;
-    let _e199 = gabor_impl_line_word(_e196.x, _e198);
-    left = _e199;
-    let _e201 = node;
-    let _e205 = salt_4;
-    let _e206 = gabor_impl_line_word((_e201.x + 1i), _e205);
-    middle_1 = _e206;
-    let _e208 = node;
-    let _e212 = salt_4;
-    let _e213 = gabor_impl_line_word((_e208.x + 2i), _e212);
-    right = _e213;
-    let _e215 = spacing;
-    let _e216 = offset;
-    from_1 = (_e215 * _e216);
+    let _e207 = local_36;
+    let _e208 = f_2;
+    let _e210 = f_2;
+    wave_6 = ((_e207 * _e208) * _e210);
+    let _e213 = node;
+    let _e215 = salt_4;
+    let _e216 = gabor_impl_line_word(_e213.x, _e215);
+    left = _e216;
+    let _e218 = node;
+    let _e222 = salt_4;
+    let _e223 = gabor_impl_line_word((_e218.x + 1i), _e222);
+    middle_1 = _e223;
+    let _e225 = node;
+    let _e229 = salt_4;
+    let _e230 = gabor_impl_line_word((_e225.x + 2i), _e229);
+    right = _e230;
+    let _e232 = spacing;
+    let _e233 = offset;
+    from_1 = (_e232 * _e233);
     loop {
-        let _e221 = j_2;
+        let _e238 = j_2;
         if three {
-            local_36 = 3i;
+            local_37 = 3i;
         } else {
-            local_36 = 2i;
+            local_37 = 2i;
         }
-        let _e225 = local_36;
-        if !((_e221 < _e225)) {
+        let _e242 = local_37;
+        if !((_e238 < _e242)) {
             break;
         }
         {
-            let _e231 = node;
-            let _e233 = j_2;
-            let _e235 = salt_4;
-            let _e238 = gabor_impl_line_word((_e231.y + _e233), (_e235 ^ 1540483477u));
-            row_1 = _e238;
-            let _e240 = j_2;
-            if (_e240 == 0i) {
-                let _e243 = y_4;
-                let _e245 = slope_y;
-                local_38 = vec2<f32>(_e243.x, _e245.x);
+            let _e248 = node;
+            let _e250 = j_2;
+            let _e252 = salt_4;
+            let _e255 = gabor_impl_line_word((_e248.y + _e250), (_e252 ^ 1540483477u));
+            row_1 = _e255;
+            let _e257 = j_2;
+            if (_e257 == 0i) {
+                let _e260 = y_4;
+                let _e262 = slope_y;
+                local_39 = vec2<f32>(_e260.x, _e262.x);
             } else {
-                let _e248 = j_2;
-                if (_e248 == 1i) {
-                    let _e251 = y_4;
-                    let _e253 = slope_y;
-                    local_37 = vec2<f32>(_e251.y, _e253.y);
+                let _e265 = j_2;
+                if (_e265 == 1i) {
+                    let _e268 = y_4;
+                    let _e270 = slope_y;
+                    local_38 = vec2<f32>(_e268.y, _e270.y);
                 } else {
-                    let _e256 = y_4;
-                    let _e258 = slope_y;
-                    local_37 = vec2<f32>(_e256.z, _e258.z);
+                    let _e273 = y_4;
+                    let _e275 = slope_y;
+                    local_38 = vec2<f32>(_e273.z, _e275.z);
                 }
-                let _e262 = local_37;
-                local_38 = _e262;
+                let _e279 = local_38;
+                local_39 = _e279;
             }
-            let _e264 = local_38;
-            w = _e264;
-            let _e268 = row_1;
-            let _e269 = left;
-            let _e271 = from_1;
-            let _e272 = x_8;
-            let _e274 = w;
-            let _e277 = slope_x;
-            let _e279 = w;
-            let _e282 = x_8;
-            let _e284 = w;
-            let _e288 = wave_6;
-            let _e289 = shape_1;
-            gabor_impl_add_water(water, squeeze, (_e268 * _e269), _e271, vec3<f32>((_e272.x * _e274.x), (_e277.x * _e279.x), (_e282.x * _e284.y)), band, heading, quantum, _e288, _e289, second, fraction, dx, dy);
-            let _e294 = row_1;
-            let _e295 = middle_1;
-            let _e297 = from_1;
-            let _e298 = spacing;
-            let _e302 = x_8;
-            let _e304 = w;
-            let _e307 = slope_x;
-            let _e309 = w;
-            let _e312 = x_8;
-            let _e314 = w;
-            let _e318 = wave_6;
-            let _e319 = shape_1;
-            gabor_impl_add_water(water, squeeze, (_e294 * _e295), (_e297 - vec2<f32>(_e298, 0f)), vec3<f32>((_e302.y * _e304.x), (_e307.y * _e309.x), (_e312.y * _e314.y)), band, heading, quantum, _e318, _e319, second, fraction, dx, dy);
+            let _e281 = local_39;
+            w = _e281;
+            let _e285 = row_1;
+            let _e286 = left;
+            let _e288 = from_1;
+            let _e289 = x_8;
+            let _e291 = w;
+            let _e294 = slope_x;
+            let _e296 = w;
+            let _e299 = x_8;
+            let _e301 = w;
+            let _e305 = wave_6;
+            let _e306 = shape_1;
+            gabor_impl_add_water(water, squeeze, (_e285 * _e286), _e288, vec3<f32>((_e289.x * _e291.x), (_e294.x * _e296.x), (_e299.x * _e301.y)), band, heading, quantum, _e305, _e306, second, fraction, dx, dy);
+            let _e311 = row_1;
+            let _e312 = middle_1;
+            let _e314 = from_1;
+            let _e315 = spacing;
+            let _e319 = x_8;
+            let _e321 = w;
+            let _e324 = slope_x;
+            let _e326 = w;
+            let _e329 = x_8;
+            let _e331 = w;
+            let _e335 = wave_6;
+            let _e336 = shape_1;
+            gabor_impl_add_water(water, squeeze, (_e311 * _e312), (_e314 - vec2<f32>(_e315, 0f)), vec3<f32>((_e319.y * _e321.x), (_e324.y * _e326.x), (_e329.y * _e331.y)), band, heading, quantum, _e335, _e336, second, fraction, dx, dy);
             if three {
-                let _e324 = row_1;
-                let _e325 = right;
-                let _e327 = from_1;
-                let _e329 = spacing;
-                let _e334 = x_8;
-                let _e336 = w;
-                let _e339 = slope_x;
-                let _e341 = w;
-                let _e344 = x_8;
-                let _e346 = w;
-                let _e350 = wave_6;
-                let _e351 = shape_1;
-                gabor_impl_add_water(water, squeeze, (_e324 * _e325), (_e327 - vec2<f32>((2f * _e329), 0f)), vec3<f32>((_e334.z * _e336.x), (_e339.z * _e341.x), (_e344.z * _e346.y)), band, heading, quantum, _e350, _e351, second, fraction, dx, dy);
+                let _e341 = row_1;
+                let _e342 = right;
+                let _e344 = from_1;
+                let _e346 = spacing;
+                let _e351 = x_8;
+                let _e353 = w;
+                let _e356 = slope_x;
+                let _e358 = w;
+                let _e361 = x_8;
+                let _e363 = w;
+                let _e367 = wave_6;
+                let _e368 = shape_1;
+                gabor_impl_add_water(water, squeeze, (_e341 * _e342), (_e344 - vec2<f32>((2f * _e346), 0f)), vec3<f32>((_e351.z * _e353.x), (_e356.z * _e358.x), (_e361.z * _e363.y)), band, heading, quantum, _e367, _e368, second, fraction, dx, dy);
             }
-            let _e355 = from_1;
-            let _e357 = spacing;
-            from_1.y = (_e355.y - _e357);
+            let _e372 = from_1;
+            let _e374 = spacing;
+            from_1.y = (_e372.y - _e374);
         }
         continuing {
-            let _e228 = j_2;
-            j_2 = (_e228 + 1i);
+            let _e245 = j_2;
+            j_2 = (_e245 + 1i);
         }
     }
     return;
@@ -1101,20 +1108,21 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var swell_1: vec2<f32>;
     var water_1: GaborWater;
     var squeeze_2: vec3<f32> = vec3(0f);
-    var local_40: f32;
-    var quantum_2: f32;
+    var local_41: vec2<f32>;
+    var quantum_2: vec2<f32>;
     var area: f32;
     var sides: f32;
     var least_1: f32;
     var threes: i32 = 3i;
-    var local_41: i32;
+    var local_42: i32;
     var last_1: i32;
     var i_1: i32 = 1i;
-    var local_42: i32;
+    var local_43: i32;
     var k_1: i32;
-    var local_43: vec2<f32>;
+    var local_44: vec2<f32>;
+    var local_45: i32;
     var i_2: i32 = 0i;
-    var local_44: i32;
+    var local_46: i32;
     var k_2: i32;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
     wind_2 = _e11;
@@ -1124,113 +1132,121 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
     water_1 = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
     if (ocean.loop_ > 0i) {
-        local_40 = (65536f / f32(ocean.loop_));
+        local_41 = vec2<f32>(f32((65536i / ocean.loop_)), (0.000015258789f * f32(ocean.loop_)));
     } else {
-        local_40 = 0f;
+        local_41 = vec2(0f);
     }
-    let _e42 = local_40;
-    quantum_2 = _e42;
+    let _e48 = local_41;
+    quantum_2 = _e48;
     area = ((dx.x * dy.y) - (dx.y * dy.x));
     sides = (dot(dx, dx) + dot(dy, dy));
-    let _e57 = area;
-    let _e59 = area;
-    let _e61 = sides;
-    let _e62 = sides;
-    let _e63 = sides;
-    let _e66 = area;
-    let _e68 = area;
-    least_1 = (((2f * _e57) * _e59) / max((_e61 + sqrt(max(((_e62 * _e63) - ((4f * _e66) * _e68)), 0f))), 0.000000000000000000000000000001f));
+    let _e63 = area;
+    let _e65 = area;
+    let _e67 = sides;
+    let _e68 = sides;
+    let _e69 = sides;
+    let _e72 = area;
+    let _e74 = area;
+    least_1 = (((2f * _e63) * _e65) / max((_e67 + sqrt(max(((_e68 * _e69) - ((4f * _e72) * _e74)), 0f))), 0.000000000000000000000000000001f));
     if (ocean.swell.x > 0f) {
-        let _e89 = threes;
-        local_41 = (_e89 + 1i);
+        let _e95 = threes;
+        local_42 = (_e95 + 1i);
     } else {
-        let _e92 = threes;
-        local_41 = _e92;
+        let _e98 = threes;
+        local_42 = _e98;
     }
-    let _e94 = local_41;
-    last_1 = _e94;
+    let _e100 = local_42;
+    last_1 = _e100;
     loop {
-        let _e98 = i_1;
-        let _e99 = last_1;
-        if !((_e98 <= _e99)) {
+        let _e104 = i_1;
+        let _e105 = last_1;
+        if !((_e104 <= _e105)) {
             break;
         }
         {
-            let _e105 = i_1;
-            let _e106 = threes;
-            if (_e105 > _e106) {
-                local_42 = 9i;
+            let _e111 = i_1;
+            let _e112 = threes;
+            if (_e111 > _e112) {
+                local_43 = 9i;
             } else {
-                let _e109 = i_1;
-                local_42 = _e109;
+                let _e115 = i_1;
+                local_43 = _e115;
             }
-            let _e111 = local_42;
-            k_1 = _e111;
-            let _e115 = k_1;
-            let _e119 = i_1;
-            let _e120 = threes;
-            if (_e119 > _e120) {
-                let _e122 = swell_1;
-                local_43 = _e122;
+            let _e117 = local_43;
+            k_1 = _e117;
+            let _e121 = k_1;
+            let _e125 = i_1;
+            let _e126 = threes;
+            if (_e125 > _e126) {
+                let _e128 = swell_1;
+                local_44 = _e128;
             } else {
-                let _e123 = wind_2;
-                local_43 = _e123;
+                let _e129 = wind_2;
+                local_44 = _e129;
             }
-            let _e125 = local_43;
-            let _e126 = quantum_2;
-            let _e127 = least_1;
-            let _e128 = k_1;
-            let _e129 = gabor_lobe_seed(seed, _e128);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e115], true, _e125, _e126, _e127, cell, local, second, fraction, dx, dy, _e129);
+            let _e131 = local_44;
+            let _e132 = quantum_2;
+            let _e133 = least_1;
+            let _e134 = i_1;
+            let _e135 = threes;
+            if (_e134 > _e135) {
+                local_45 = 12i;
+            } else {
+                let _e138 = k_1;
+                local_45 = _e138;
+            }
+            let _e140 = local_45;
+            let _e141 = gabor_lobe_seed(seed, _e140);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e121], true, _e131, _e132, _e133, cell, local, second, fraction, dx, dy, _e141);
         }
         continuing {
-            let _e102 = i_1;
-            i_1 = (_e102 + 1i);
+            let _e108 = i_1;
+            i_1 = (_e108 + 1i);
         }
     }
     loop {
-        let _e134 = i_2;
-        let _e136 = threes;
-        if !((_e134 < (9i - _e136))) {
+        let _e146 = i_2;
+        let _e148 = threes;
+        if !((_e146 < (9i - _e148))) {
             break;
         }
         {
-            let _e143 = i_2;
-            if (_e143 == 0i) {
-                local_44 = 0i;
+            let _e155 = i_2;
+            if (_e155 == 0i) {
+                local_46 = 0i;
             } else {
-                let _e147 = i_2;
-                let _e148 = threes;
-                local_44 = (_e147 + _e148);
+                let _e159 = i_2;
+                let _e160 = threes;
+                local_46 = (_e159 + _e160);
             }
-            let _e151 = local_44;
-            k_2 = _e151;
-            let _e155 = k_2;
-            let _e159 = wind_2;
-            let _e160 = quantum_2;
-            let _e161 = least_1;
-            let _e162 = k_2;
-            let _e163 = gabor_lobe_seed(seed, _e162);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e155], false, _e159, _e160, _e161, cell, local, second, fraction, dx, dy, _e163);
+            let _e163 = local_46;
+            k_2 = _e163;
+            let _e167 = k_2;
+            let _e171 = wind_2;
+            let _e172 = quantum_2;
+            let _e173 = least_1;
+            let _e174 = k_2;
+            let _e175 = gabor_lobe_seed(seed, _e174);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e167], false, _e171, _e172, _e173, cell, local, second, fraction, dx, dy, _e175);
         }
         continuing {
-            let _e140 = i_2;
-            i_2 = (_e140 + 1i);
+            let _e152 = i_2;
+            i_2 = (_e152 + 1i);
         }
     }
-    let _e168 = squeeze_2;
-    let _e172 = squeeze_2;
-    let _e175 = squeeze_2;
-    let _e179 = squeeze_2;
-    let _e181 = squeeze_2;
-    water_1.fold = (((1f - _e168.x) * ((1f - _e172.z) + _e175.x)) - (_e179.y * _e181.y));
-    let _e186 = water_1;
-    let _e189 = water_1;
-    let _e192 = water_1;
-    let _e196 = water_1;
-    water_1.lost = vec3<f32>(_e186.lost.x, (_e189.lost.z - _e192.lost.x), _e196.lost.y);
-    let _e200 = water_1;
-    return _e200;
+    let _e180 = squeeze_2;
+    let _e184 = squeeze_2;
+    let _e187 = squeeze_2;
+    let _e191 = squeeze_2;
+    let _e193 = squeeze_2;
+    water_1.fold = (((1f - _e180.x) * ((1f - _e184.z) + _e187.x)) - (_e191.y * _e193.y));
+    let _e198 = water_1;
+    let _e201 = water_1;
+    let _e204 = water_1;
+    let _e208 = water_1;
+    water_1.lost = vec3<f32>(_e198.lost.x, (_e201.lost.z - _e204.lost.x), _e208.lost.y);
+    let _e212 = water_1;
+    return _e212;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

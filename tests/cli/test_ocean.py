@@ -67,10 +67,13 @@ class Ocean(ProgramTest):
         self.assertLess(np.abs(np.diff(longer)).mean(), 0.6 * np.abs(np.diff(swell - plain)).mean())
         first, later, between = (self.drawn("--loop=16", "--swell=2", f"--time={time}")["height"] for time in (3.25, 19.25, 11.25))
         np.testing.assert_array_equal(first, later)
+        (self.folder / "loop.json").write_text('{"view": "ocean", "width": 96, "height": 64, "loop": 16, "swell": 2, "time": 3.25}')
+        self.succeed("render", "--like=loop.json", "-o", "like.exr")
+        np.testing.assert_array_equal(Exr(self.folder / "like.exr").channels["height"], first)
         self.assertGreater(np.abs(first - between).mean(), 0.05)
 
     def test_what_does_not_fit_is_refused(self):
-        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "swell=-1", "swell-period=4", "loop=10", "tileable"):
+        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "swell=-1", "swell-period=4", "loop=12", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
         self.assert_refused(["--wind", "the ocean view"], "render", "-o", "out.exr", "--wind=8")
         self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")

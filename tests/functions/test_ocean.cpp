@@ -158,7 +158,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
         std::normal_distribution<> normal;
         for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
             const GaborOceanBand& band = sea.band[i];
-            const bool three = gabor_impl_three(i);
+            const bool three = i > 0 && i < 4;
             const double blur = std::sqrt(three ? 1.462 : 3.372) / (2 * pi) / std::exp2(band.exponent);
             const auto add = [&](double x, double y, double power, std::size_t of) {
                 x += blur * normal(random);
@@ -179,7 +179,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                     GaborWater sum{};
                     gabor_vec3 squeeze{0, 0, 0};
                     const float wave = 0.640488f * std::pow(band.low / 65536 / 1024, 2.0f);
-                    gabor_impl_add_water(sum, squeeze, word, {0, 0}, {1, 0, 0}, band, {1, 0}, 0, wave,
+                    gabor_impl_add_water(sum, squeeze, word, {0, 0}, {1, 0, 0}, band, {1, 0}, {0, 0}, wave,
                                          {0, 1e21f, 0}, 0, time, {0, 0}, {0, 0});
                     return sum;
                 };
@@ -422,4 +422,21 @@ TEST_CASE("a boat floats on the water above its place", "[ocean]") {
     fmt::print("{} places: rms error {:.4f} m, at worst {:.4f} m\n", seen, std::sqrt(square / seen), worst);
     CHECK(seen > 2500);
     CHECK(worst < 0.01);
+}
+
+// test_coarse_ocean.cpp: the height of a sea with a swell of 3 m and three bands.
+double coarse_height(const float* p, float pixel, float seconds);
+
+TEST_CASE("the swell and long waves are the same for any number of bands", "[ocean]") {
+    const GaborOcean sea = gabor_ocean_of(12, 0.5f, 2e5f, {3, 12, 1}, 0);
+    Random random(10);
+    gabor::test::Largest height;
+    for (int i = 0; i < 1000; ++i) { // the pixel shows three bands and the swell
+        const float p[]{random.uniform(-900, 900), random.uniform(-900, 900)},
+            seconds = random.uniform(0, 500);
+        height.see(coarse_height(p, 60, seconds),
+                   gabor_water_filtered({p[0], p[1]}, {60, 0}, {0, 60}, seconds, sea, 7u).height, 1e-3,
+                   [&] { return fmt::format("point {}", i); });
+    }
+    height.check("height");
 }

@@ -322,8 +322,9 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
     fetch: metres of open water upwind.
     swell: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
     swell_period: its seconds from crest to crest, 5 to 25.
-    swell_direction: where it goes.
-    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still.
+    swell_direction: where it goes, as `direction`: from +x towards +y.
+    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and periods become
+    a whole part of the loop, which should last several periods of the swell.
     pixel: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
     """
     values = evaluate("water", locals())

@@ -30,7 +30,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "swell": (0, 30),
     "swell_period": (5, 25),
     "swell_direction": (-1e15, 1e15),
-    "loop": (0, 4096),
     "pixel": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
@@ -200,7 +199,7 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
         elif name == "seed":
             found = [seeds(name, value)]
         elif name == "loop":
-            found = [numbers(name, value)]
+            found = [numbers(name, value, -math.inf, math.inf)]
             if not np.isin(found[0], (0, *2.0 ** np.arange(3, 13))).all():
                 raise refuse(name, value, "0 or a power of 2 from 8 to 4096")
         elif name == "time":
