@@ -49,7 +49,8 @@ class Bodies(OutputsTest):
             "leather in the dark": {"material": "leather", "environment": "dark"},
             "terrain": TERRAIN,
             "landscape": LANDSCAPE,
-            "ocean": {"view": "ocean", "wind": 14, "seed": 3, "time": 8.5, "light_azimuth": 60, "light_elevation": 15},
+            "ocean": {"view": "ocean", "wind": 14, "fetch": 90, "swell": 6, "swell_period": 9, "swell_direction": 70, "seed": 3, "time": 8.5,
+                      "light_azimuth": 60, "light_elevation": 15},
         }
         self.compare(cases)
 

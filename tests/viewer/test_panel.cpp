@@ -1,5 +1,6 @@
 // Tests the panel's text, and what the pointer does, without a window.
 
+#include "viewer/display.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
@@ -364,6 +365,10 @@ TEST_CASE("the place under the pointer stays there when the wheel turns or the p
             CHECK(zoomed[axis] == Approx(before[axis]));
             CHECK(moved[axis] == Approx(before[axis]));
         }
+        const auto pixels = [&](float from_middle) { return double{from_middle * density}; };
+        CHECK(reading(session.document(), {pixels(to.x - 400), pixels(to.y - 300)},
+                      std::array{std::string("Y")},
+                      std::array{0.5f}) == fmt::format("at {:.2f}, {:.2f}\nvalue 0.5", moved[0], moved[1]));
     }
 }
 
