@@ -251,12 +251,14 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
     def test_uneven_lighting_does_not_count(self):
         even = 0.5 * colour_noise(256)[..., 0]
         light = np.linspace(0.4, 1.6, 256)
+        square = np.linspace(-1, 1, 256) ** 2
         write_png(self.folder / "even.png", even, bits=16)
         write_png(self.folder / "lit.png", even * light, bits=16)
+        write_png(self.folder / "vignetted.png", even * (1.3 - 0.45 * np.add.outer(square, square)), bits=16)
         write_png(self.folder / "added.png", even + 0.2 * light, bits=16)
         expected = self.fit("even.png", "--lobes", "4")["colour"]
         # Uncorrected, light from 0.4 to 1.6 would multiply a normal texture's deviation by 1.06, and raise its kurtosis by 1.2.
-        for name in ("lit", "added"):
+        for name in ("lit", "vignetted", "added"):
             found = self.fit(f"{name}.png", "--lobes", "4")["colour"]
             self.assertLess(abs(found["mixing"][0][0] / expected["mixing"][0][0] - 1), 0.02, name)
             self.assertLess(np.abs(np.array(found["histogram"][0]) - expected["histogram"][0]).max(), 0.03, name)

@@ -66,6 +66,12 @@ class Artist(EventsTest):
             self.assertEqual(fit[each], expected[each])
         self.keys("Tab", "Tab")
         self.assertTrue(self.state["photograph"])
+        self.point(300, 240) # over the noise, which takes the right half of 352 pixels
+        self.wait_for(lambda state: state["fine"])
+        self.frames(3)
+        camera = self.document["viewer"]["camera"]
+        self.assertAlmostEqual(float(self.state["reading"].split()[1].strip(",")),
+                               sum(camera["x"]) + (300.5 - 264) / (fit["scale"] * camera["zoom"]), delta=0.0051)
         self.keys("ctrl+z") # back to the noise before the fit
         self.assertFalse(self.state["photograph"])
         self.keys("ctrl+s", "Return")

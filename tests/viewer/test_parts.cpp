@@ -1,5 +1,7 @@
+#include "viewer/display.hpp"
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/drawing.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
@@ -331,6 +333,18 @@ TEST_CASE("an export has the document's name, and the form and files that were c
     CHECK(names(coloured) == "folder/mine/base_color.png ");
     CHECK(names(of(wood, {.directx = true})).find("normal_directx.png") != std::string::npos);
     CHECK(names(of(wood, {})).find("normal_directx.png") == std::string::npos);
+}
+
+TEST_CASE("a zoomed view is displayed as a picture of its scale, and tiles move with the camera") {
+    const Document document = document_of({.width = 120, .height = 90, .scale = 24});
+    Document moved = document;
+    moved.camera = moved.camera.moved(6.25, -0.75); // pixels: 150 and -18
+    CHECK(tiling_of(moved, {300, 200}).moved == std::array{30.0f, 72.0f});
+    Document large = document;
+    large.request.scale *= 2.5;
+    const passes::DisplayPush zoomed = display_push(document, 3, 2.5), whole = display_push(large, 3, 1);
+    CHECK(zoomed.spacing == Approx(whole.spacing));
+    CHECK(zoomed.turns == Approx(whole.turns));
 }
 
 TEST_CASE("an export renders what the window shows, in its form") {

@@ -111,7 +111,7 @@ class Workshop(EventsTest):
 
     def test_maps_have_the_bytes_of_gabor_render(self):
         for name, parameters in (("leather", {"material": "leather", "tileable": True, "scale": 16}),
-                                 ("valley", {"view": "landscape", "octaves": 3, "scale": 8})):
+                                 ("valley", {"view": "landscape", "octaves": 3, "scale": 8, "extent": 900})):
             preset = self.preset(f"{name}.json", width=64, height=48, seed=5, **parameters)
             self.open(*WINDOW, preset)
             self.show_exports()
