@@ -180,15 +180,16 @@ class Distributions(StatsTest):
     def test_sums_of_waves(self):
         """The predicted variance holds for sums, and for tiles, whose windows stretch to fit a whole number of
         nodes."""
-        lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "power": 1}]
+        lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "stretch": 0.7, "power": 1}]
         (self.folder / "lobes.json").write_text(json.dumps(lobes))
-        self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512", scale=8)
+        self.render("--lobes=lobes.json", "--gradient", "--tileable", "--seed=1", size="540x512", scale=8)
         slopes = np.zeros(2)
         for lobe in lobes:
             angle = np.radians(lobe.get("orientation", 0))
             wave = 2 * np.pi * lobe["frequency"] * np.array([np.cos(angle), np.sin(angle)])
-            length = np.array([540, 512]) / 8 / lobe.get("radius", 1)
-            nodes = np.floor(1.5 * length) / length / lobe.get("radius", 1)
+            radius = lobe.get("radius", 1) * np.array([1, lobe.get("stretch", 1)])
+            length = np.array([540, 512]) / 8 / radius
+            nodes = np.floor(1.5 * length) / length / radius
             slopes += lobe["power"] / 4 * (wave ** 2 + np.pi ** 2 / 3 * (nodes / 1.5) ** 2)
         self.assert_known(slopes[0], "gradient.x")
         self.assert_known(slopes[1], "gradient.y")

@@ -263,6 +263,13 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
             self.assertLess(abs(found["mixing"][0][0] / expected["mixing"][0][0] - 1), 0.02, name)
             self.assertLess(np.abs(np.array(found["histogram"][0]) - expected["histogram"][0]).max(), 0.03, name)
 
+    def test_a_noise_tiles_at_the_size_of_its_photograph(self):
+        waves = 0.5 + 0.2 * np.sin(np.add.outer(0.7 * np.arange(128), 0.001 * np.arange(512)))
+        for values in (waves, waves.T):
+            write_png(self.folder / "waves.png", values, bits=16)
+            self.fit("waves.png", "--lobes", "1")
+            self.render("--tileable")
+
     def test_a_grey_preset_has_the_histogram(self):
         values = colour_noise(256)[..., 0]
         values = 0.2 + 0.6 * np.exp(4 * (values - values.mean())) / 2

@@ -66,12 +66,16 @@ class Artist(EventsTest):
             self.assertEqual(fit[each], expected[each])
         self.keys("Tab", "Tab")
         self.assertTrue(self.state["photograph"])
+        self.keys("equal", "equal") # zooms in
         self.point(300, 240) # over the noise, which takes the right half of 352 pixels
         self.wait_for(lambda state: state["fine"])
         self.frames(3)
         camera = self.document["viewer"]["camera"]
         self.assertAlmostEqual(float(self.state["reading"].split()[1].strip(",")),
                                sum(camera["x"]) + (300.5 - 264) / (fit["scale"] * camera["zoom"]), delta=0.0051)
+        shown = (np.floor(sum(camera[axis]) * fit["scale"] + (np.arange(-25, 25) + 0.5) / camera["zoom"]).astype(int) for axis in "yx")
+        off = np.abs(self.screen(88 - 25, 240 - 25, 50, 50) - read_colour_png(self.folder / "cloth.png")[np.ix_(*shown)])
+        self.assertLess(np.median(off), 5) # of 255; at another scale 16
         self.keys("ctrl+z") # back to the noise before the fit
         self.assertFalse(self.state["photograph"])
         self.keys("ctrl+s", "Return")
