@@ -349,7 +349,7 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     float3 squeeze = (float3)(0.0);
-    float2 quantum = ocean.loop > 0 ? float2(float(65536 / ocean.loop), 1.52587890625e-5 * float(ocean.loop)) : (float2)(0.0);
+    float2 quantum = ocean.loop > 0 ? float2(float(65536 / max(ocean.loop, 1)), 1.52587890625e-5 * float(ocean.loop)) : (float2)(0.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     int threes = min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0 ? threes + 1 : threes;

@@ -327,7 +327,7 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     gabor_vec2 wind = gabor_impl_wave(0.15915494f * ocean.direction), swell = gabor_impl_wave(0.15915494f * ocean.swell.z);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
     gabor_vec3 squeeze = gabor_vec3(0.0f);
-    gabor_vec2 quantum = ocean.loop > 0 ? gabor_vec2(float(65536 / ocean.loop), 1.52587890625e-5f * float(ocean.loop)) : gabor_vec2(0.0f);
+    gabor_vec2 quantum = ocean.loop > 0 ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop, 1)), 1.52587890625e-5f * float(ocean.loop)) : gabor_vec2(0.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     int threes = gabor_cpp_min(GABOR_OCEAN_BANDS - 1, 3), last = ocean.swell.x > 0.0f ? threes + 1 : threes;

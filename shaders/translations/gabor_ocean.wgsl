@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 6cc9e83796399e29.
+// naga 30.0.1 made it from GLSL with the digest 4ad5a81318c38608.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -1132,121 +1132,121 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
     water_1 = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
     if (ocean.loop_ > 0i) {
-        local_41 = vec2<f32>(f32((65536i / ocean.loop_)), (0.000015258789f * f32(ocean.loop_)));
+        local_41 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
     } else {
         local_41 = vec2(0f);
     }
-    let _e48 = local_41;
-    quantum_2 = _e48;
+    let _e50 = local_41;
+    quantum_2 = _e50;
     area = ((dx.x * dy.y) - (dx.y * dy.x));
     sides = (dot(dx, dx) + dot(dy, dy));
-    let _e63 = area;
     let _e65 = area;
-    let _e67 = sides;
-    let _e68 = sides;
+    let _e67 = area;
     let _e69 = sides;
-    let _e72 = area;
+    let _e70 = sides;
+    let _e71 = sides;
     let _e74 = area;
-    least_1 = (((2f * _e63) * _e65) / max((_e67 + sqrt(max(((_e68 * _e69) - ((4f * _e72) * _e74)), 0f))), 0.000000000000000000000000000001f));
+    let _e76 = area;
+    least_1 = (((2f * _e65) * _e67) / max((_e69 + sqrt(max(((_e70 * _e71) - ((4f * _e74) * _e76)), 0f))), 0.000000000000000000000000000001f));
     if (ocean.swell.x > 0f) {
-        let _e95 = threes;
-        local_42 = (_e95 + 1i);
+        let _e97 = threes;
+        local_42 = (_e97 + 1i);
     } else {
-        let _e98 = threes;
-        local_42 = _e98;
+        let _e100 = threes;
+        local_42 = _e100;
     }
-    let _e100 = local_42;
-    last_1 = _e100;
+    let _e102 = local_42;
+    last_1 = _e102;
     loop {
-        let _e104 = i_1;
-        let _e105 = last_1;
-        if !((_e104 <= _e105)) {
+        let _e106 = i_1;
+        let _e107 = last_1;
+        if !((_e106 <= _e107)) {
             break;
         }
         {
-            let _e111 = i_1;
-            let _e112 = threes;
-            if (_e111 > _e112) {
+            let _e113 = i_1;
+            let _e114 = threes;
+            if (_e113 > _e114) {
                 local_43 = 9i;
             } else {
-                let _e115 = i_1;
-                local_43 = _e115;
+                let _e117 = i_1;
+                local_43 = _e117;
             }
-            let _e117 = local_43;
-            k_1 = _e117;
-            let _e121 = k_1;
-            let _e125 = i_1;
-            let _e126 = threes;
-            if (_e125 > _e126) {
-                let _e128 = swell_1;
-                local_44 = _e128;
+            let _e119 = local_43;
+            k_1 = _e119;
+            let _e123 = k_1;
+            let _e127 = i_1;
+            let _e128 = threes;
+            if (_e127 > _e128) {
+                let _e130 = swell_1;
+                local_44 = _e130;
             } else {
-                let _e129 = wind_2;
-                local_44 = _e129;
+                let _e131 = wind_2;
+                local_44 = _e131;
             }
-            let _e131 = local_44;
-            let _e132 = quantum_2;
-            let _e133 = least_1;
-            let _e134 = i_1;
-            let _e135 = threes;
-            if (_e134 > _e135) {
+            let _e133 = local_44;
+            let _e134 = quantum_2;
+            let _e135 = least_1;
+            let _e136 = i_1;
+            let _e137 = threes;
+            if (_e136 > _e137) {
                 local_45 = 12i;
             } else {
-                let _e138 = k_1;
-                local_45 = _e138;
+                let _e140 = k_1;
+                local_45 = _e140;
             }
-            let _e140 = local_45;
-            let _e141 = gabor_lobe_seed(seed, _e140);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e121], true, _e131, _e132, _e133, cell, local, second, fraction, dx, dy, _e141);
+            let _e142 = local_45;
+            let _e143 = gabor_lobe_seed(seed, _e142);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e123], true, _e133, _e134, _e135, cell, local, second, fraction, dx, dy, _e143);
         }
         continuing {
-            let _e108 = i_1;
-            i_1 = (_e108 + 1i);
+            let _e110 = i_1;
+            i_1 = (_e110 + 1i);
         }
     }
     loop {
-        let _e146 = i_2;
-        let _e148 = threes;
-        if !((_e146 < (9i - _e148))) {
+        let _e148 = i_2;
+        let _e150 = threes;
+        if !((_e148 < (9i - _e150))) {
             break;
         }
         {
-            let _e155 = i_2;
-            if (_e155 == 0i) {
+            let _e157 = i_2;
+            if (_e157 == 0i) {
                 local_46 = 0i;
             } else {
-                let _e159 = i_2;
-                let _e160 = threes;
-                local_46 = (_e159 + _e160);
+                let _e161 = i_2;
+                let _e162 = threes;
+                local_46 = (_e161 + _e162);
             }
-            let _e163 = local_46;
-            k_2 = _e163;
-            let _e167 = k_2;
-            let _e171 = wind_2;
-            let _e172 = quantum_2;
-            let _e173 = least_1;
-            let _e174 = k_2;
-            let _e175 = gabor_lobe_seed(seed, _e174);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e167], false, _e171, _e172, _e173, cell, local, second, fraction, dx, dy, _e175);
+            let _e165 = local_46;
+            k_2 = _e165;
+            let _e169 = k_2;
+            let _e173 = wind_2;
+            let _e174 = quantum_2;
+            let _e175 = least_1;
+            let _e176 = k_2;
+            let _e177 = gabor_lobe_seed(seed, _e176);
+            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e169], false, _e173, _e174, _e175, cell, local, second, fraction, dx, dy, _e177);
         }
         continuing {
-            let _e152 = i_2;
-            i_2 = (_e152 + 1i);
+            let _e154 = i_2;
+            i_2 = (_e154 + 1i);
         }
     }
-    let _e180 = squeeze_2;
-    let _e184 = squeeze_2;
-    let _e187 = squeeze_2;
-    let _e191 = squeeze_2;
+    let _e182 = squeeze_2;
+    let _e186 = squeeze_2;
+    let _e189 = squeeze_2;
     let _e193 = squeeze_2;
-    water_1.fold = (((1f - _e180.x) * ((1f - _e184.z) + _e187.x)) - (_e191.y * _e193.y));
-    let _e198 = water_1;
-    let _e201 = water_1;
-    let _e204 = water_1;
-    let _e208 = water_1;
-    water_1.lost = vec3<f32>(_e198.lost.x, (_e201.lost.z - _e204.lost.x), _e208.lost.y);
-    let _e212 = water_1;
-    return _e212;
+    let _e195 = squeeze_2;
+    water_1.fold = (((1f - _e182.x) * ((1f - _e186.z) + _e189.x)) - (_e193.y * _e195.y));
+    let _e200 = water_1;
+    let _e203 = water_1;
+    let _e206 = water_1;
+    let _e210 = water_1;
+    water_1.lost = vec3<f32>(_e200.lost.x, (_e203.lost.z - _e206.lost.x), _e210.lost.y);
+    let _e214 = water_1;
+    return _e214;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
