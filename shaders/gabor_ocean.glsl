@@ -52,8 +52,8 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(float wind)
 // GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell comes from a remote storm, in narrow directions and with a
-//     sharp peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
+//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions
+//     and a sharp peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
 //     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
 //     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
 //     for heights: the integers may round differently on another device. To change a member, call this again.
@@ -91,9 +91,9 @@ struct GaborWater {
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: a
-// frequency F and an angle d from the band's direction, from which the wave number follows by the dispersion relation of deep water,
-// (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
+// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: an
+// angle d from the band's direction and a frequency F, from which the wave number follows by the dispersion relation of
+// deep water, (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
 // from there, phases turn by F - k.V. With V = g / (4 pi f0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
 // so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //

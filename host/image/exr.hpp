@@ -46,7 +46,7 @@ struct ExrHeader {
     std::string software = {};         ///< the program and driver; stored as `software` unless empty
     /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
     std::string colour_space = {};
-    std::string compression = "none";
+    std::string compression = "none"; ///< one of exr_compressions
     /// If set, writes a texture; the window must be the whole picture at 0, 0.
     std::optional<Texture> texture = {};
 };

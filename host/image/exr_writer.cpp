@@ -49,8 +49,8 @@ Imf::Header exr_header(const ExrHeader& description) {
     Imf::Header header(box(description.picture), box(description.window));
     constexpr std::array methods{Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                  Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
-    header.compression() = methods[static_cast<std::size_t>(
-        std::ranges::find(exr_compressions, description.compression) - exr_compressions.begin())];
+    header.compression() = methods.at(static_cast<std::size_t>(
+        std::ranges::find(exr_compressions, description.compression) - exr_compressions.begin()));
     const bool half = description.texture && description.texture->half;
     for (const std::string& channel : description.channels)
         header.channels().insert(channel, Imf::Channel(half ? Imf::HALF : Imf::FLOAT));

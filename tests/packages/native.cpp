@@ -1,4 +1,4 @@
-// The native module of packages/pypi as a library for native.py.
+// Builds the native module of packages/pypi as a library, for native.py.
 
 #include "module.cpp"
 

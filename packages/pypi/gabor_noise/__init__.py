@@ -309,7 +309,8 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 
 def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
           fetch: ArrayLike = 2e5, swell: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = 0.0,
-          loop: ArrayLike = 0, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None, dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
+          loop: ArrayLike = 0, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
+          dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; fold, the determinant of the derivative
     of (x, y) + shift, with foam where it falls below 0.4; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
