@@ -17,7 +17,7 @@ namespace gabor::cli {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
 

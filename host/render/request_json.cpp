@@ -11,13 +11,12 @@
 // nlohmann-json finds these conversions by their names.
 namespace gabor::noise {
 
-template <typename Json>
-void to_json(Json& entry, const Lobe& lobe) {
+void to_json(nlohmann::ordered_json& entry, const Lobe& lobe) {
     for (const render::LobeParameter& p : render::lobe_parameters())
         entry[std::string(p.name)] = lobe.*p.member;
 }
 
-void from_json(const nlohmann::json& entry, Lobe& lobe) {
+void from_json(const nlohmann::ordered_json& entry, Lobe& lobe) {
     if (!entry.is_object())
         throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
     const auto rows = render::lobe_parameters();
@@ -35,12 +34,11 @@ void from_json(const nlohmann::json& entry, Lobe& lobe) {
     }
 }
 
-template <typename Json>
-void to_json(Json& pair, const Colour::Weight& weight) {
+void to_json(nlohmann::ordered_json& pair, const Colour::Weight& weight) {
     pair = {weight.quadrature, weight.noise};
 }
 
-void from_json(const nlohmann::json& pair, Colour::Weight& weight) {
+void from_json(const nlohmann::ordered_json& pair, Colour::Weight& weight) {
     weight = {.quadrature = pair.at(0), .noise = pair.at(1)};
 }
 
@@ -51,14 +49,12 @@ namespace gabor::render {
 namespace {
 
 using Kind = Parameter::Kind;
-using nlohmann::json;
-using nlohmann::ordered_json;
+using json = nlohmann::ordered_json;
 using noise::Lobe;
 
 // Replaces invalid UTF-8, because file names may contain any bytes.
-template <typename Json>
-std::string dumped(const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string dumped(const json& value) {
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::vector<Lobe> lobes_of(const json& list) {
@@ -97,17 +93,17 @@ Value value_of(const Parameter& p, const json& value) {
     }
 }
 
-ordered_json json_of(const Parameter& p, const Value& value) {
+json json_of(const Parameter& p, const Value& value) {
     if (p.kind == Kind::integer)
         return static_cast<std::int64_t>(std::get<double>(value));
-    return std::visit([](const auto& held) { return ordered_json(held); }, value);
+    return std::visit([](const auto& held) { return json(held); }, value);
 }
 
-ordered_json json_of(const noise::Colour& colour) {
-    ordered_json object{{"weights", colour.weights},
-                        {"histogram", colour.histogram},
-                        {"mean", colour.mean},
-                        {"mixing", colour.mixing}};
+json json_of(const noise::Colour& colour) {
+    json object{{"weights", colour.weights},
+                {"histogram", colour.histogram},
+                {"mean", colour.mean},
+                {"mixing", colour.mixing}};
     if (colour.linear)
         object["linear"] = true;
     return object;
@@ -123,7 +119,10 @@ noise::Colour colour_of(json object) {
         object.at("mixing").get_to(colour.mixing);
         if (!colour.linear)
             object.erase("linear");
-        if (json(json_of(colour)) == object) // false if the JSON has more members or elements
+        const json written = json_of(colour);
+        if (object.size() == written.size() && std::ranges::all_of(written.items(), [&](const auto& member) {
+                return object.at(member.key()) == member.value(); // false if the JSON has more elements
+            }))
             return colour;
     } catch (const json::exception&) {
     }
@@ -139,7 +138,7 @@ bool is_of_lobe(const Parameter& p) {
 } // namespace
 
 std::string to_json(const Request& request) {
-    ordered_json object;
+    json object;
     // A single lobe is written as separate values if its other values are defaults.
     const Lobe& lobe = request.lobes.front();
     const bool by_values =
@@ -195,7 +194,7 @@ std::vector<Lobe> lobes_from_json(std::string_view text) {
 }
 
 std::string lobes_to_json(const std::vector<Lobe>& lobes) {
-    return dumped(ordered_json(lobes));
+    return dumped(json(lobes));
 }
 
 } // namespace gabor::render
