@@ -76,26 +76,35 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     vec3 sunlight = mix(vec3(1.0, 0.5, 0.2), vec3(1.0, 0.93, 0.8), day) * smoothstep(-0.02, 0.05, sea.sun.y);
     float glitter = chance * once / (4.0 * facing * pow(max(middle.y, 0.1), 4.0)) * max(sea.sun.y, 0.02);
     float through = pow(max(dot(ray.xz, sea.sun.xz), 0.0), 2.0) * clamp(0.3 + 0.35 * w.height / sea.high, 0.0, 1.3);
-    vec3 below = (0.25 + 0.75 * day) * (vec3(0.004, 0.03, 0.045) + vec3(0.008, 0.06, 0.055) * (0.35 + through + 0.25 * max(slope.x * ray.x + slope.y * ray.z, 0.0)));
+    vec3 below = (0.25 + 0.75 * day) * (vec3(0.002, 0.016, 0.042) + vec3(0.006, 0.05, 0.055) * (0.12 + through + 0.25 * max(slope.x * ray.x + slope.y * ray.z, 0.0)));
     vec3 light = mix(below, sky, min(fresnel, 1.0)) + 0.6 * glitter * sunlight;
     return mix(light, (0.3 + 0.5 * day) * (vec3(0.55, 0.6, 0.65) + 0.5 * max(dot(normal, sea.sun), 0.0) * sunlight), foam);
 }
 
-// The share of foam in a pixel that is `pixel` wide: where waves fold, and whitecaps on as much of the sea as Monahan and
-// O'Muircheartaigh measured in 1980, more on crests. Patches are torn along the wind.
+// The distribution function of a normal number.
+float chance_below(float x) {
+    return 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));
+}
+
+// The share of foam in a pixel that is `pixel` wide: whitecaps on as much of the sea as Monahan and O'Muircheartaigh measured in
+// 1980, more on crests, torn along the wind, and foam where waves fold. A pixel shows the mean over what it cannot resolve.
 float foam_on(Sea sea, GaborWater w, vec2 p, float pixel) {
-    float covered = min(3.84e-6 * pow(sea.ocean.wind, 3.41), 0.3), blur = min(0.4 * pixel, 1.0);
+    float covered = min(3.84e-6 * pow(sea.ocean.wind, 3.41), 0.3), edge = 0.6, detail = 0.25;
+    float odds = 0.34427 * log((1.0 - covered) / covered), root = pow(odds + sqrt(odds * odds + 1.0), 0.33333333);
+    float least = 2.7303 * (root - 1.0 / root); // chance_below(-least) = covered, by Cardano's formula
     float torn = 0.7 * gabor_noise(vec2(0.1, 0.3) * p, 0.4, 1.3, sea.seed) + 0.35 * gabor_noise(vec2(0.5, 1.1) * p, 0.6, 0.4, sea.seed)
                + 0.25 * gabor_noise(2.5 * p, 0.8, 2.0, sea.seed);
-    float least = 0.5876 * log((1.0 - covered) / covered); // about the quantile of a normal distribution
-    float caps = smoothstep(least - 0.6, least + 1.8, torn + 0.58 * w.height / sea.high);
-    float folds = 0.9 * smoothstep(0.55, 0.0, w.fold) * smoothstep(-0.9, 0.6, torn);
-    float foam = max(mix(caps, covered, blur), mix(folds, 0.0, blur));
-    if (foam < 0.01) return foam;
-    // Thin foam is a net of bubbles, along the zeros of two noises.
-    vec2 bubbles = vec2(gabor_noise(vec2(1.1, 1.6) * p, 0.0, 0.0, sea.seed + 1u), gabor_noise(vec2(3.1, 4.2) * p, 0.0, 0.0, sea.seed + 2u));
-    vec2 net = exp(-bubbles * bubbles / vec2(0.16, 0.25));
-    return mix(smoothstep(0.0, 1.0, 1.9 * foam - 0.9 + 0.6 * net.x + 0.35 * net.y), foam, min(2.0 * pixel, 1.0));
+    float caps = (torn + 0.57 * w.height / sea.high - least * sqrt(1.0 + edge * edge)) / edge;
+    caps = max(caps, 2.0 * torn - 6.0 * w.fold);
+    float removed = 1.0;
+    if (pixel < 1.0 && caps > -2.6) { // Thin foam is a net of bubbles, along the zeros of three noises.
+        vec3 zeros = abs(vec3(gabor_noise(vec2(1.1, 1.6) * p, 0.0, 0.0, sea.seed + 1u), gabor_noise(vec2(3.4, 4.6) * p, 0.0, 0.0, sea.seed + 2u),
+                              gabor_noise(vec2(13.0, 16.0) * p, 0.0, 0.0, sea.seed + 3u))) - 0.79788;
+        vec3 kept = vec3(1.2140, 0.9395, 0.6287) * exp(-pixel * pixel * vec3(3.7, 33.0, 430.0));
+        caps = sqrt(1.0 + detail * detail) * caps - dot(kept, zeros);
+        removed = detail * detail + 1.0 - 0.36338 * dot(kept, kept);
+    }
+    return mix(chance_below(caps * inversesqrt(removed)), covered, min(0.4 * pixel, 1.0));
 }
 
 // What a ray meets. For a ray into the sky, the water is 0.
@@ -117,7 +126,7 @@ SeaHit seen_at_sea(Sea sea, vec3 eye, vec3 ray, float wide) {
     vec2 across = wide * t * vec2(forward.y, -forward.x), along = wide * t / max(-ray.y, 0.04) * forward;
     hit.water = water_near(sea, x, shift, across, along);
     hit.foam = foam_on(sea, hit.water, x - hit.water.shift, wide * t);
-    hit.colour = mix(vec3(0.008, 0.06, 0.055), vec3(0.7), hit.foam);
+    hit.colour = mix(vec3(0.003, 0.022, 0.049), vec3(0.7), hit.foam);
     vec3 air = sky_of(sea.sun, normalize(vec3(ray.x, 0.01, ray.z)));
     hit.light = mix(air, light_of_water(sea, hit.water, hit.water.slope / clamp(hit.water.fold, 0.4, 2.0), ray, hit.foam), exp(-1.2e-4 * t));
     return hit;

@@ -43,6 +43,14 @@ class Ocean(ProgramTest):
             print(f"wind {wind}, fetch {fetch} km: {np.mean(of_seeds):.3f} of {variance(wind, 1000 * fetch):.3f} square metres")
             self.assertAlmostEqual(np.mean(of_seeds) / variance(wind, 1000 * fetch), 1, delta=0.15)
 
+    def test_foam_covers_as_much_of_the_sea_as_was_measured(self):
+        for wind, altitude in ((10, 250), (18, 100)):  # far away and near, where foam is a net of bubbles
+            covered = np.mean([self.drawn(f"--wind={wind}", "--fetch=30", f"--altitude={altitude}", "--pitch=90", f"--seed={seed}",
+                                          size="256x256")["foam"].mean() for seed in (1, 2, 3)])
+            measured = 3.84e-6 * wind**3.41  # Monahan and O'Muircheartaigh, 1980
+            print(f"wind {wind}: {covered:.4f} of the sea is foam, {measured:.4f} was measured")
+            self.assertAlmostEqual(covered / measured, 1, delta=0.1)
+
     def test_it_moves_and_a_part_equals_the_whole(self):
         first, later = (self.drawn(f"--time={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))
         water = first["fold"] > 0
