@@ -37,7 +37,7 @@ def drawn(shader):
         subprocess.run(["glslangValidator", "--quiet", "-V", "-S", "comp", *hlsl, "-o", spirv, source], check=True)
     else:
         subprocess.run([sys.executable, "-B", HERE / "dxc.py", source, spirv], check=True)
-    return on_vulkan(spirv, values)
+    return on_vulkan(spirv)
 
 
 def with_node(scene):

@@ -382,7 +382,7 @@ class Drawn(unittest.TestCase):
             for mouse in "0.0", "180.0, 90.0, 1.0, 1.0":
                 (folder / "shader.comp").write_text(SHADERTOY.replace("MOUSE", mouse).replace("CODE", path.read_text()))
                 subprocess.run(["glslangValidator", "--quiet", "-V", "-o", folder / "shader.spv", folder / "shader.comp"], check=True)
-                picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].reshape(-1, 256)[:32, :32]
+                picture = on_vulkan(folder / "shader.spv", rows=32)[1].reshape(32, 256)[:, :32]
                 sums = np.concatenate([picture.sum(0), picture.sum(1)])
                 lines.append((f"{path.name} {mouse.count(',')}", sums))
         if shutil.which("naga"):  # Bevy's example, with the modules that it imports
@@ -391,7 +391,7 @@ class Drawn(unittest.TestCase):
             self.assertEqual((example.count("768u"), example.count("fn draw")), (1, 1))
             (folder / "shader.wgsl").write_text("\n".join([*modules, example.replace("768u", "256u").replace("fn draw", "fn main")]))
             subprocess.run(["naga", folder / "shader.wgsl", folder / "shader.spv"], check=True, stdout=subprocess.DEVNULL)
-            picture = on_vulkan(folder / "shader.spv", folder / "values.raw")[1].view("<u4").reshape(-1, 256)[:256]
+            picture = on_vulkan(folder / "shader.spv", rows=256)[1].view("<u4").reshape(256, 256)
             colours = np.stack([picture >> shift & 255 for shift in (0, 8, 16, 24)]) / 2040
             lines.append(("stripes.wgsl", np.concatenate([colours.mean((0, 2))[::8], colours.mean((0, 1))[::8], colours.mean((1, 2))]) * 256))
         if os.environ.get("GABOR_GOLDEN") == "write":

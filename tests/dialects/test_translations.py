@@ -1,6 +1,7 @@
 """Checks the translations of the lattice's drop-ins and of a texture that gabor fit wrote: each call returns the same
 value as the GLSL, which other tests compare with the reference."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -55,8 +56,16 @@ CALLS = {  # each call, and its column in the matrix of docs/engine-results.md
     "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).fold": "ocean",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
-NEEDED = {"solid": 6, "surface": 6, "erosion": 7, "materials": 8, "ocean": 9, "fitted": 10}  # the number of FILES that a call needs; others need 4
+NEEDED = {"solid": 6, "surface": 6, "erosion": 7, "materials": 8, "ocean": 9, "fitted": 10}
+ROWS = 64  # of the pictures that are compared
 MACROS = "#define GABOR_LOBES 6\n#define GABOR_DIRECTION(p) (0.3f * (p))\n"
+
+
+def needed(call):
+    """Returns the number of FILES that a call needs."""
+    return NEEDED.get(CALLS.get(call), 4)
+
+
 SIX = """
 GaborLobes six()
 {
@@ -77,7 +86,8 @@ void main()
     vec2 p = (vec2(pixel) + 0.5) / 32.0;
     vec3 q = vec3(p, 0.3);
     float unknown = float(pixel.x >> 8u); // 0
-    values[pixel.y * 256u + pixel.x] = CALL;
+    uint at = pixel.y * 256u + pixel.x;
+    CALLS
 }
 """
 HLSL = SIX + """
@@ -88,7 +98,8 @@ static float3 q; // few calls use both p and q
 {
     p = (float2(pixel.xy) + 0.5) / 32.0;
     q = float3(p, 0.3);
-    values[pixel.y * 256 + pixel.x] = CALL;
+    uint at = pixel.y * 256u + pixel.x;
+    CALLS
 }
 """
 ANGLE = SIX + """
@@ -116,7 +127,8 @@ fn gabor_field_direction(place: GaborPlace, seed: u32) -> GaborField {
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     let p = (vec2f(pixel.xy) + 0.5) / 32.0;
     let q = vec3f(p, 0.3);
-    values[pixel.y * 256u + pixel.x] = CALL;
+    let at = pixel.y * 256u + pixel.x;
+    CALLS
 }
 """
 
@@ -196,27 +208,36 @@ class Translations(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
 
-    def drawn(self, source, ending, *compiler):
-        """Returns the values of a shader. `compiler` is a command that takes the shader's file and the SPIR-V file."""
-        shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
-        shader.write_text(source)
-        subprocess.run([*compiler, shader, spirv], check=True, stdout=subprocess.DEVNULL)
-        return on_vulkan(spirv, values)[1]
+    def shader(self, ending, text, calls, rows=ROWS, before=MACROS, vector=r"vec\1"):
+        """Returns a shader that draws a picture of each call, with the drop-ins that they need."""
+        files = "".join(self.path(file, ending).read_text() for file in FILES[:max(map(needed, calls))])
+        renamed = [re.sub(r"\bvec([23])", vector, call) for call in calls]
+        drawn = "\n    ".join(f"values[at + {256 * rows * k}u] = {call};" for k, call in enumerate(renamed))
+        return before + files + text.replace("CALLS", drawn).replace("CALL", renamed[0])
 
-    def glsl(self, call):
-        if call not in self.DRAWN:
-            text = "#version 450\n" + self.pasted("glsl", call, GLSL.replace("CALL", call))
-            self.DRAWN[call] = self.drawn(text, "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
-        return self.DRAWN[call]
+    def drawn(self, ending, text, *compiler, calls=CALLS, rows=ROWS, **options):
+        """Returns a picture of each call. `compiler` is a command that takes a shader's file and the SPIR-V file."""
+        groups, made = [list(group) for _, group in itertools.groupby(sorted(calls, key=needed), needed)], []
+        for group in groups:
+            made.append(self.folder / f"{len(made)}.spv")
+            source = made[-1].with_suffix(f".{ending}")
+            source.write_text(self.shader(ending, text, group, rows, **options))
+            subprocess.run([*compiler, source, made[-1]], check=True, stdout=subprocess.DEVNULL)
+        _, *values = on_vulkan(*made, rows=rows, pictures=max(map(len, groups)))
+        return {call: picture for group, each in zip(groups, values) for call, picture in zip(group, each.reshape(-1, 256 * rows))}
+
+    def glsl(self, **options):
+        return self.drawn("glsl", GLSL, "sh", "-c", 'glslangValidator -V -S comp "$0" -o "$1"', before=f"#version 450\n{MACROS}", **options)
 
     def compare(self, translated):
         """Compares each call with GLSL; colours and heights less strictly, because they magnify differences in rounding."""
         errors = {}
-        for call in CALLS:
+        if not self.DRAWN:
+            self.DRAWN.update(self.glsl())
+        for call, wanted in self.DRAWN.items():
             with self.subTest(call):
-                wanted = self.glsl(call)
                 self.assertGreater(wanted.std(), 0.5)
-                drawn = translated(call)
+                drawn = translated(call)[:len(wanted)]
                 difference = np.abs(drawn - wanted[:len(drawn)])
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea|water", call) else 1))
@@ -225,18 +246,11 @@ class Translations(unittest.TestCase):
             name = self._testMethodName.removeprefix("test_")
             (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 
-    def pasted(self, ending, call, text, before=MACROS):
-        files = FILES[:NEEDED.get(CALLS.get(call), 4)]
-        return before + "".join(self.path(file, ending).read_text() for file in files) + text
-
-    def hlsl(self, call):
-        return self.pasted("hlsl", call, HLSL.replace("CALL", re.sub(r"\bvec", "float", call)))
-
     def compare_hlsl(self, *compiler):
-        self.compare(lambda call: self.drawn(self.hlsl(call), "hlsl", *compiler))
+        self.compare(self.drawn("hlsl", HLSL, *compiler, vector=r"float\1").get)
 
     def test_hlsl_by_glslang(self):
-        self.compare_hlsl("sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
+        self.compare_hlsl("sh", "-c", 'glslangValidator -V -D -Od -S comp -e main "$0" -o "$1"')
 
     def test_hlsl_by_dxc(self):
         if not DXC.exists():
@@ -257,20 +271,18 @@ class Translations(unittest.TestCase):
         self.compare(drawn)
 
     def test_hlsl_by_fxc(self):
-        self.compare_direct3d("fxc", "hlsl", self.hlsl)
+        self.compare_direct3d("fxc", "hlsl", lambda call: self.shader("hlsl", HLSL, [call], vector=r"float\1"))
 
     def test_angle(self):
         before = f"#version 300 es\nprecision highp float;\n{MACROS}"
-        self.compare_direct3d("angle", "frag", lambda call: self.pasted("glsl", call, ANGLE.replace("CALL", call), before))
+        self.compare_direct3d("angle", "frag", lambda call: self.shader("glsl", ANGLE, [call], before=before))
 
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
             self.skipTest("naga is not installed")
         # lavapipe takes minutes to compile naga's loops, but only a second after spirv-opt.
-        command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
-        self.compare(lambda call: self.drawn(
-            self.pasted("wgsl", call, WGSL.replace("CALL", re.sub(r"\b(vec[23])", r"\1f", call)), before=""), "wgsl",
-            *command))
+        command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt --eliminate-dead-functions --ssa-rewrite "$1" -o "$1"']
+        self.compare(self.drawn("wgsl", WGSL, *command, before="", vector=r"vec\1f").get)
 
     def compare_bands(self, text, ending, engine, *arguments):
         """Draws each call as a band of one picture, with a script of tests/engines."""
@@ -306,7 +318,7 @@ class Translations(unittest.TestCase):
     def compare_cpp(self, before, vector, *options):
         """Compares each call in a C++ program. `before` is the text before its main, `vector` the prefix of its vectors."""
         calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
-        drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="const gabor_vec3 q(p, 0.3f);")
+        drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="const gabor_vec3 q(p, 0.3f);", rows=ROWS)
         self.compare(dict(zip(CALLS, drawn.reshape(len(calls), -1))).get)
 
     def test_cpp_vectors(self):
@@ -317,13 +329,15 @@ class Translations(unittest.TestCase):
         if GCC:
             self.assertRegex(said, "loop vectorized")
         noise, words = np.split(values, 2)
-        difference = np.abs(noise.view("<f4") - self.glsl("gabor_noise(p, 4.0 + unknown, 0.7854 + unknown, 7u)"))
+        wanted, wanted_words = self.glsl(rows=257, calls=[
+            "gabor_noise(p, 4.0 + unknown, 0.7854 + unknown, 7u)",
+            "uintBitsToFloat(gabor_impl_line_word(int(pixel.x), gabor_impl_salt(7u)) "
+            "* gabor_impl_line_word(-int(pixel.y), gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS))"]).values()
+        difference = np.abs(noise.view("<f4") - wanted)
         print(f"gabor_noise: largest difference {difference.max():.2g} at value {difference.argmax()}")
         self.assertLess(difference.max(), 1e-6)
         self.assertGreater(len(set(words)), 65000)
-        wanted = self.glsl("uintBitsToFloat(gabor_impl_line_word(int(pixel.x), gabor_impl_salt(7u)) "
-                           "* gabor_impl_line_word(-int(pixel.y), gabor_impl_salt(7u) ^ GABOR_IMPL_ROWS))")
-        np.testing.assert_array_equal(words, wanted.view("<u4"))
+        np.testing.assert_array_equal(words, wanted_words.view("<u4"))
 
 
 if __name__ == "__main__":

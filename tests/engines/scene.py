@@ -1,6 +1,7 @@
 """What the scripts that draw the scene of reference.py share: its code in GLSL, Slang and C++, the drop-ins' texts, packages,
 and the report that tools/test-engines reads."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -79,24 +80,25 @@ def report(path, values, engine, version, dialect, driver, **functions):
     print(json.dumps({"engine": engine, "version": version, "dialect": dialect, "driver": driver, **functions}))
 
 
-def on_vulkan(spirv, values):
-    """Returns the driver's name and the 256 x 257 values that a compute shader writes."""
-    program = pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan"
-    driver = subprocess.run([program, spirv, values], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
-    return driver, np.fromfile(values, "<f4")
+def on_vulkan(*shaders, rows=257, pictures=1):
+    """Returns the driver's name and the values that compute shaders write, which are in SPIR-V: for each, a number of pictures of 256
+    values by the rows."""
+    program, files = pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", [f"{shader}.raw" for shader in shaders]
+    command = [program, str(rows), str(pictures), *itertools.chain(*zip(shaders, files))]
+    driver = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+    return driver, *(np.fromfile(file, "<f4") for file in files)
 
 
 def calls_on_vulkan(package, ending, shader, calls, compiled):
     """Returns the driver's name and the values of the calls, each in place of VALUE in a shader that uses a package's files.
     `compiled(source, spirv)` compiles it, in the folder of these files."""
     with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-        source, spirv, values = (packaged(package, folder) / f"scene.{kind}" for kind in (ending, "spv", "raw"))
-        drawn = []
+        folder, made = packaged(package, folder), []
         for call in calls:
-            source.write_text(shader.replace("VALUE", call))
-            compiled(source, spirv)
-            driver, picture = on_vulkan(spirv, values)
-            drawn.append(picture[:65536])
+            made.append(folder / f"{len(made)}.spv")
+            (folder / f"scene.{ending}").write_text(shader.replace("VALUE", call))
+            compiled(folder / f"scene.{ending}", made[-1])
+        driver, *drawn = on_vulkan(*made, rows=256)
     return driver, np.concatenate(drawn)
 
 

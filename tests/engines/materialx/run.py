@@ -213,7 +213,7 @@ def drawn_alone(target, folder):
         if target == "essl":
             source = source.replace("#version 450", "#version 310 es\nprecision highp float;")
         made = spirv("vulkan" if target == "essl" else target, source, "comp", folder)
-        drawn.append(on_vulkan(made, values)[1][:65536])
+        drawn.append(on_vulkan(made)[1][:65536])
     return drawn
 
 
