@@ -42,10 +42,12 @@ class Node:
         self.__dict__.update(more)
 
     def walk(self):
-        """Yields all nodes below this one, and then this one."""
-        for part in self.parts:
-            yield from part.walk()
-        yield self
+        """Returns all nodes below this one, and then this one."""
+        found, rest = [], [self]
+        while rest:
+            found.append(rest.pop())
+            rest += found[-1].parts
+        return found[::-1]
 
 
 def tokens(text, start=0, end=None, line=1):
