@@ -101,7 +101,7 @@ class Arrays(unittest.TestCase):
 
     def test_each_parameter_of_each_material(self):
         self.assertEqual(len(MATERIALS), 11)
-        x, y = (each.ravel() for each in np.broadcast_arrays(*gn.grid((48, 48), 12)))
+        x, y = (each.ravel() for each in np.broadcast_arrays(*gn.grid((24, 24), 6)))
         lines = re.findall(r"^    (\S+):$|^        (\w+): .*?(?:, (-?[\d.]+) to ([\d.]+))? \[", gn.material.__doc__, re.MULTILINE)
         tested = 0
         for material, parameter, low, high in lines:
@@ -421,7 +421,9 @@ class Documentation(unittest.TestCase):
     def test_an_example_saves_frames(self):
         example = pathlib.Path(sys.argv[1]).parent / "packages" / "pypi" / "examples" / "vision.py"
         with tempfile.TemporaryDirectory() as folder:
-            with unittest.mock.patch.object(sys, "argv", [str(example), "--save", f"{folder}/frames"]):
+            movie = gn.movie
+            with unittest.mock.patch.object(sys, "argv", [str(example), "--save", f"{folder}/frames"]), \
+                    unittest.mock.patch.object(gn, "movie", lambda shape, *others, **options: movie((64, shape[1]), *others, **options)):
                 runpy.run_path(str(example))
             frames = [np.asarray(Image.open(path), float) for path in sorted(pathlib.Path(folder, "frames").iterdir())]
         self.assertEqual(len(frames), 120)
