@@ -76,6 +76,7 @@ class Help(ProgramTest):
         for command, number in ("render", 37), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
+            given = {}  # the defaults of each command line's options; a file of heights has a range of its own
             for option, value, view in found:
                 command_line = [command, "-o", "out.exr"]
                 if command == "erode":
@@ -83,12 +84,15 @@ class Help(ProgramTest):
                 else:
                     command_line += [f"--view={view}"] if view else which.get(option, [])
                     command_line += ["--region=0,0,24,24"] if option == "--size" else ["--size=24x24"]
+                given.setdefault(tuple(command_line), {})[option] = value
+            for command_line, values in given.items():
                 self.succeed(*command_line)
                 files = self.files()
-                if value is None:  # the JSON beside the heights has the range
-                    value = ",".join(map(str, json.loads(files["out.png.json"])["elevation"]))
-                self.succeed(*command_line, f"{option}={value}")
-                self.assertEqual(self.files(), files, (command, option, value))
+                for option, value in values.items():
+                    if value is None:  # the JSON beside the heights has the range
+                        values[option] = ",".join(map(str, json.loads(files["out.png.json"])["elevation"]))
+                self.succeed(*command_line, *(f"{option}={value}" for option, value in values.items()))
+                self.assertEqual(self.files(), files, (command_line, values))
 
     def test_recipes_match_the_page(self):
         page = (pathlib.Path(__file__).parents[2] / "docs" / "recipes.md").read_text()

@@ -31,7 +31,7 @@ def encoded(light):
 
 
 class Maps(RenderTest):
-    def maps(self, *options, material="bark"):
+    def maps(self, *options, material="strata"):
         self.succeed("render", "--material", material, f"--size={WIDTH}x{HEIGHT}", "--maps", "set", "--no-tileable", *options)
         folder = self.folder / "set"
         channels = Exr(folder / "maps.exr").channels
@@ -68,7 +68,7 @@ class Maps(RenderTest):
         """Beyond an edge, a tile goes on at the other side, and other maps repeat their last pixel."""
         y, x = np.mgrid[:HEIGHT, :WIDTH]
         for options, mode in ([], "clip"), (["--tileable"], "wrap"):
-            _, maps = self.maps(*options, "--scale=20")
+            _, maps = self.maps(*options, "--scale=20", material="bark")
             height, open_sky = maps["height"], 0
             for right, down in ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)):
                 slopes = [0 * height]
@@ -127,10 +127,10 @@ class Maps(RenderTest):
         self.assertLess(np.abs(means).max(), 0.2)
 
     def test_documents_name_files_of_the_set(self):
-        folder, maps = self.maps("--bark.depth=0.2")
+        folder, maps = self.maps("--strata.relief=0.2")
         scene = json.loads((folder / "material.gltf").read_text())
         self.assertEqual({image["uri"] for image in scene["images"]}, {"base_color.png", "normal.png", "orm.png"})
-        self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
+        self.assertEqual(Exr(folder / "maps.exr").parameters["strata.relief"], 0.2)
         document = ElementTree.fromstring((folder / "material.mtlx").read_text())
         files = {node.get("name"): node.find("input[@name='file']").get("value") for node in document.iterfind("tiledimage")}
         self.assertEqual(files, {name: f"{name}.png" for name in ("base_color", "roughness", "metalness", "normal", "height")})
@@ -141,7 +141,7 @@ class Maps(RenderTest):
                            (material["pbrMetallicRoughness"]["metallicRoughnessTexture"], "orm"), (material["occlusionTexture"], "orm")):
             self.assertEqual(scene["images"][scene["textures"][part["index"]]["source"]]["uri"], f"{file}.png")
         described = json.loads((folder / "material.json").read_text())
-        self.assertEqual({described["name"], material["name"], document.find("surfacematerial").get("name")}, {"bark"})
+        self.assertEqual({described["name"], material["name"], document.find("surfacematerial").get("name")}, {"strata"})
         for name in ("base_color", "normal", "height", "roughness", "metalness", "occlusion"):
             self.assertEqual(described[name]["file"], f"{name}.png")
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
@@ -177,8 +177,8 @@ class Maps(RenderTest):
             facts = json.loads((self.folder / "set/material.json").read_text())
             return *facts["pixels"], facts["tileable"], Exr(self.folder / "set/maps.exr").parameters["scale"]
 
-        self.assertEqual(described("--material=strata"), (2048, 2048, True, 512))
-        self.assertEqual(described("--material=strata", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
+        self.assertEqual(described("--material=wood"), (2048, 2048, True, 512))
+        self.assertEqual(described("--material=wood", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
         self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
         self.assertEqual(described("--view=terrain", "--size=64x32"), (64, 32, True, 4))
         width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))

@@ -17,6 +17,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstring>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -280,7 +281,10 @@ TEST_CASE("materials keep their gloss at every distance", "[materials]") {
 
 TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]") {
     constexpr int samples = 6000;
+    std::set<decltype(Material::plain)> seen;
     for (const Material& m : materials) {
+        if (!seen.insert(m.plain).second)
+            continue; // differs only by its defaults
         Random random(7);
         double largest = 0;
         const std::size_t colours = m.defaults.size() - m.numbers.size();

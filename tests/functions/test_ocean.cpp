@@ -135,7 +135,7 @@ TEST_CASE("heights and slopes of the sea are normal at any one place and time", 
         }
         gabor::statistics::Gaussianity heights(std::sqrt(height)),
             along(std::sqrt(static_cast<double>(slopes.x))), across(std::sqrt(static_cast<double>(slopes.y)));
-        for (std::uint32_t seed = 0; seed < 1 << 20; ++seed) {
+        for (std::uint32_t seed = 0; seed < 1 << 19; ++seed) {
             const GaborWater water = gabor_water({0, 0}, 0, calm, seed * 0x9e3779b9u);
             heights.add(static_cast<double>(water.height));
             along.add(static_cast<double>(water.slope.x));
@@ -170,9 +170,9 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                 bin[2 + of] += power * k * k;
             };
             const double low = static_cast<double>(band.low) / 65536;
-            for (const Wave& wave : waves(sea.wind, 0, sea.fetch, low, low * std::sqrt(2), 1000, 1440))
+            for (const Wave& wave : waves(sea.wind, 0, sea.fetch, low, low * std::sqrt(2), 500, 720))
                 add(wave.x, wave.y, wave.power, 1);
-            constexpr int count = 1 << 20;
+            constexpr int count = 1 << 18;
             for (int draw = 0; draw < count; ++draw) {
                 const auto word = static_cast<std::uint32_t>(random()) | 1u;
                 const auto node = [&](float time) {
