@@ -8,7 +8,7 @@ import numpy as np
 from exr import Exr, Texture
 from program import ProgramTest
 
-NOISE = ["--frequency=1.5", "--orientation=20", "--seed=7"]
+NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
 SCALED = 4 # the number of levels whose scales `gabor render` accepts for flat pictures
 
 
