@@ -83,7 +83,7 @@ layout(std430, binding = 0) writeonly buffer Values { float values[]; };
 void main()
 {
     uvec2 pixel = gl_GlobalInvocationID.xy;
-    vec2 p = (vec2(pixel) + 0.5) / 32.0;
+    vec2 p = (vec2(pixel) + 0.5) / vec2(32.0, 8.0);
     vec3 q = vec3(p, 0.3);
     float unknown = float(pixel.x >> 8u); // 0
     uint at = pixel.y * 256u + pixel.x;
@@ -96,7 +96,7 @@ static float2 p;
 static float3 q; // few calls use both p and q
 [numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
-    p = (float2(pixel.xy) + 0.5) / 32.0;
+    p = (float2(pixel.xy) + 0.5) / float2(32.0, 8.0);
     q = float3(p, 0.3);
     uint at = pixel.y * 256u + pixel.x;
     CALLS
@@ -106,7 +106,7 @@ ANGLE = SIX + """
 out vec4 value;
 void main()
 {
-    vec2 p = gl_FragCoord.xy / 32.0;
+    vec2 p = gl_FragCoord.xy / vec2(32.0, 8.0);
     vec3 q = vec3(p, 0.3);
     value = vec4(CALL);
 }
@@ -125,7 +125,7 @@ fn gabor_field_direction(place: GaborPlace, seed: u32) -> GaborField {
 }
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
-    let p = (vec2f(pixel.xy) + 0.5) / 32.0;
+    let p = (vec2f(pixel.xy) + 0.5) / vec2f(32.0, 8.0);
     let q = vec3f(p, 0.3);
     let at = pixel.y * 256u + pixel.x;
     CALLS
@@ -143,7 +143,7 @@ INCLUDES
 {entry}
 {{
     int row = int({pixel}.y);
-    vec2 p = vec2({pixel}.x, float(row % ROWS) + 0.5) / 32.0;
+    vec2 p = vec2({pixel}.x, float(row % ROWS) + 0.5) / vec2(32.0, 8.0);
     vec3 q = vec3(p, 0.3);
     float noise = 0.0;
     CALLS
@@ -163,7 +163,7 @@ CPP_LOOP = """#include <fstream>
 void draw(float* row, int y)
 {
     for (int x = 0; x < 256; ++x)
-        row[x] = gabor_noise({(float(x) + 0.5f) / 32.0f, (float(y) + 0.5f) / 32.0f}, 4.0f, 0.7854f, 7u);
+        row[x] = gabor_noise({(float(x) + 0.5f) / 32.0f, (float(y) + 0.5f) / 8.0f}, 4.0f, 0.7854f, 7u);
 }
 int main(int, char** argv)
 {
@@ -318,7 +318,7 @@ class Translations(unittest.TestCase):
     def compare_cpp(self, before, vector, *options):
         """Compares each call in a C++ program. `before` is the text before its main, `vector` the prefix of its vectors."""
         calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
-        drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="const gabor_vec3 q(p, 0.3f);", rows=ROWS)
+        drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="p.y *= 4.0f; const gabor_vec3 q(p, 0.3f);", rows=ROWS)
         self.compare(dict(zip(CALLS, drawn.reshape(len(calls), -1))).get)
 
     def test_cpp_vectors(self):

@@ -30,7 +30,7 @@ int main(int, char** argv)
 {
     std::vector<float> values;
     for (int i = 0; i < 256 * ROWS; ++i) {
-        const gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
+        gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
         CODE
         values.insert(values.end(), {VALUES});
     }
