@@ -144,13 +144,13 @@ void Exporter::write_noise_maps(const vulkan::Device& device, const Document& do
                                 const std::function<void(std::uint64_t)>& advance) const {
     const std::filesystem::path folder = target.folder;
     const image::OutputFolder created(folder);
-    const auto maps = noise_maps(document, document.request.colour.has_value());
+    auto maps = noise_maps(document, document.request.colour.has_value());
     std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
     for (const NoiseMap& map : maps)
         writers.emplace_back(folder / map.name, target.map_side, target.map_side, map.channels, map.bits);
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const NoiseMap& map = maps[i];
-        const render::Request request = exported(map.shown, target);
+        NoiseMap& map = maps[i];
+        const render::Request& request = map.shown.request = exported(map.shown, target);
         FileColours colours(device, map.shown, render::channels(request), map.normals);
         render::render_region(device, request, whole(request), [&](std::span<const float> values) {
             const std::span<const float> shown = colours.of(values);

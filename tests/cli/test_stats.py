@@ -269,6 +269,8 @@ class Foreign(StatsTest):
         stats = self.stats()
         self.assertEqual(stats["not_finite"], 5)
         self.assert_moments(stats, pixels[np.isfinite(pixels)])
+        self.write(Y=np.where(np.isfinite(pixels), pixels, np.float32(stats["mean"]))) # to the spectrum, they are the mean
+        np.testing.assert_allclose(stats["spectrum"]["radial"], self.stats()["spectrum"]["radial"], rtol=1e-5)
 
     def test_pixels_outside_are_counted_and_left_out(self):
         pixels = self.normal()

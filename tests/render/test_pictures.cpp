@@ -151,7 +151,7 @@ const std::vector<noise::Lobe> several{
     {.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7},
     {.frequency = 9, .power = 0, .radius = 0.9}};
 const std::vector<noise::Lobe> stretched{
-    {.frequency = 3, .orientation = 20, .power = 2, .stretch = 2.5},
+    {.frequency = 3, .orientation = 20, .orientation_spread = 10, .power = 2, .stretch = 2.5},
     {.frequency = 5, .orientation = -70, .power = 1, .radius = 0.6, .stretch = 2.9},
     {.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7, .stretch = 0.7},
     {.frequency = 9, .power = 0, .radius = 0.9}};

@@ -223,7 +223,9 @@ class Events(EventsTest):
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
             self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # the material shown on first start
-            self.keys("ctrl+q", "d") # the changes are still unsaved, so the viewer asks
+            self.keys("ctrl+q")
+            self.assertIn("Save the changes", self.state["question"]) # they are still unsaved
+            self.keys("d")
             self.end()
             self.open(*WINDOW)
             self.assertIsNone(self.state["question"])

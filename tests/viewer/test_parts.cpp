@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <unistd.h>
 
 using namespace gabor;
 using namespace gabor::viewer;
@@ -65,6 +66,17 @@ TEST_CASE("undo and redo go step by step, and moving the camera is not a step") 
     history.now.request.seed = 11;
     history.commit();
     CHECK_FALSE(history.can_redo());
+}
+
+TEST_CASE("a document that was saved under another name has it in every step of undo") {
+    History history(unlike_any());
+    history.now.request.seed = 10;
+    history.commit();
+    history.saved_as("other.json");
+    CHECK(history.now.path == "other.json");
+    history.undo();
+    CHECK(history.now.path == "other.json");
+    CHECK(has_file(history.now));
 }
 
 TEST_CASE("what the window shows is a step of undo and is saved, where it is shown from is neither") {
@@ -170,7 +182,8 @@ TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
 
 // A configuration folder of its own.
 struct ConfigFolder {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-viewer-settings";
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / fmt::format("gabor-viewer-settings-{}", ::getpid());
     const char* const before = std::getenv("XDG_CONFIG_HOME");
     const std::string kept = before ? before : "";
     ConfigFolder() { ::setenv("XDG_CONFIG_HOME", path.c_str(), 1); }

@@ -200,7 +200,7 @@ class Workshop(EventsTest):
         self.close()
 
     def test_stripes_have_maps(self):
-        preset = self.preset("corduroy.json", width=64, height=64, scale=32, frequency=3, seed=2, tileable=True,
+        preset = self.preset("corduroy.json", width=96, height=48, scale=24, frequency=3, seed=2, tileable=True,
                              viewer={"output": "lit stripes", "colours": "ember", "contrast": 1, "normals": "OpenGL"})
         self.open(*WINDOW, preset)
         self.show_exports()
