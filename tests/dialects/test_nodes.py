@@ -144,6 +144,16 @@ EROSION = """
     const GaborErosion erosion{3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f};
     const GaborTerrain expected = gabor_eroded(p, hills, erosion, 7);
 """
+OCEAN = """
+    vector moved(0), usual_moved(0);
+    float height, fold, usual_height, usual_fold;
+    const gabor_vec2 place = p * 61.0f - gabor_vec2(3000.0f, -900.0f);
+    const float half = 0.5f; // unit of the scene
+    osl::gabor_ocean(vector(place.x * half, place.y * half, 0), 1 / half, -71.3f, 13, 0.6f, 90, 2.5f, 11, 2.1f, LOOP, 7, moved, height, fold);
+    osl::gabor_ocean(vector(place.x, place.y, 0), DEFAULTS, usual_moved, usual_height, usual_fold);
+    static const GaborOcean sea = gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), LOOP), usual_sea = gabor_ocean(10.0f);
+    const GaborWater water = gabor_water(place, -71.3f, sea, 7u), usual = gabor_water(place, 0.0f, usual_sea, 0u);
+"""
 
 # The types and functions of MDL that its module needs, in C++.
 MDL = """#include "gabor_noise.hpp"
@@ -420,6 +430,7 @@ class ByHand(unittest.TestCase):
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
         text = re.sub(r"output (\w+ \w+\[)", r"\1", text)  # arrays are passed by reference anyway
         text = re.sub(r"output (\w+) (\w+)", r"\1& \2", text)
+        text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", text)
         includes = "".join(f'#include "{file}.hpp"\n' for file in drop_ins)
         return in_cpp(self.folder, f'#include "osl.hpp"\nnamespace osl {{\n{text}}}\n{includes}', values, "-O1", "-fwrapv", "-I",
                       SHADERS / "translations", *metal.options(os.environ.get("CXX", "c++")), code=code)[:, :256].astype(float)
@@ -449,7 +460,6 @@ class ByHand(unittest.TestCase):
         names = "lib/mx_gabor", "mx_gaborfield2d", "mx_gaborfield3d", "mx_gaborseed"
         text = "struct vector2 { float x; float y; };\nstruct vector4 { float x; float y; float z; float w; };\n" + "".join(
             re.sub("#include.*", "", (folder / f"{name}.osl").read_text()) for name in names)
-        text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", text)
         made, expected = np.split(self.osl(text, ["gabor_noise", "gabor_noise_3d"], MATERIALX, [
             *(f"plane.{part}" for part in "xyzw"), *(f"space.{part}" for part in "xyzw"), "float(seed)",
             *"value.noise value.quadrature value.gradient.x value.gradient.y".split(),
@@ -494,6 +504,17 @@ class ByHand(unittest.TestCase):
         error = np.abs(made - expected).max(axis=(1, 2))
         print(f"largest differences of height and ridge: {error}")
         self.assertTrue((error < [1e-5, 1e-5, 1e-3, 1e-3]).all())
+
+    def test_ocean_in_open_shading_language(self):
+        given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_ocean.osl").read_text(), re.MULTILINE)
+        outputs = ("2.0f*moved.x 2.0f*moved.y 2.0f*moved.z 2.0f*height fold usual_moved.x usual_moved.y usual_moved.z usual_height usual_fold "
+                   "water.shift.x water.shift.y water.height water.height water.fold usual.shift.x usual.shift.y usual.height usual.height usual.fold").split()
+        for loop in "0", "70":
+            code = OCEAN.replace("DEFAULTS", ", ".join(f"{each}f" if "." in each else each for each in given)).replace("LOOP", loop)
+            made, expected = np.split(self.osl("gabor_ocean.osl", ["gabor_noise", "gabor_ocean"], code, outputs), 2)
+            error = np.abs(made - expected).max(axis=(1, 2)) / (4 * expected.std(axis=(1, 2)))
+            print(f"largest differences, of significant ranges: {error}")
+            self.assertLess(error.max(), 1e-4)
 
     def test_each_output_of_nodes_that_call_the_drop_in(self):
         """Unity, Unreal, Godot, Material Maker and Shadertoy, with negative seeds, and with inputs that all differ."""
