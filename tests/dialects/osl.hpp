@@ -21,23 +21,13 @@ float length(vector v) {
 auto mix(auto a, auto b, float t) {
     return a * (1 - t) + b * t;
 }
-using std::abs, std::clamp, std::floor, std::max, std::sqrt;
+using std::abs, std::atan2, std::clamp, std::exp, std::floor, std::hypot, std::log2, std::max, std::min, std::pow, std::sqrt;
 
-double mod(double a, double b) {
+float mod(float a, float b) {
     return a - b * std::floor(a / b);
-}
-double min(double a, double b) {
-    return std::min(a, b);
-}
-double max(float a, double b) {
-    return std::max<double>(a, b);
-}
-vector operator*(double a, vector v) {
-    return v * vector(static_cast<float>(a));
 }
 vector normalize(vector v) {
     return v * vector(1 / std::hypot(v.x, v.y, v.z));
 }
 const float M_2PI = 6.2831853f;
-using std::atan2, std::hypot;
 using point = vector;
