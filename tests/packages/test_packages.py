@@ -481,7 +481,7 @@ class MaterialX(Node):
 
 
 class Osl(Node):
-    included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
+    included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl", "gabor_ocean.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
 
     def text(self, original):
         """Returns a file of MaterialX's package, which the repository lacks."""

@@ -110,10 +110,10 @@ class Plot(unittest.TestCase):
             if os.environ.get("GABOR_GOLDEN") == "show":
                 print("\n".join([draw.__name__, *calls]))
             lines.append(f"{draw.__name__} {hashlib.sha1(repr(calls).encode()).hexdigest()[:6]}")
-        for example in "example.py", "terrain.py":
+        for example in "example.py", "terrain.py", "sea.py":
             calls.clear()
             with unittest.mock.patch.object(sys, "path", list(sys.path)):
-                executed(ROOT / "shaders" / "nodes" / "blender" / example, calls, "bpy", "bpy.utils", "cycles", "cycles.osl")
+                executed(ROOT / "shaders" / "nodes" / "blender" / example, calls, "bpy", "bpy.utils", "cycles", "cycles.osl", "gabor_noise")
             if os.environ.get("GABOR_GOLDEN") == "show":
                 print("\n".join([example, *calls]))
             lines.append(f"{example} {hashlib.sha1(repr(calls).encode()).hexdigest()[:6]}")
