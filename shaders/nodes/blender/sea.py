@@ -1,5 +1,6 @@
 """Draws a sea that gabor_ocean.osl moves, with a floating box, to sea.jpg; frames move both. After tools/package osl, run it with
-blender --background --python sea.py, or in Python with the module bpy. The box needs the Python module gabor_noise."""
+blender --background --python sea.py, or with python -P sea.py and the module bpy. Install the Python module gabor_noise into
+Blender's Python first, for the box. -P avoids the folder gabor_noise here, which is Blender's extension."""
 
 import math
 import pathlib
@@ -32,7 +33,7 @@ def material(name, **inputs):
 
 bpy.ops.mesh.primitive_grid_add(x_subdivisions=1000, y_subdivisions=1000, size=SIDE)
 bpy.ops.object.shade_smooth()
-tree = material("water", Roughness=0.37, IOR=1.333)  # as rough as waves shorter than those of the shader make it
+tree = material("water", Roughness=0.43, IOR=1.333)  # as rough as waves shorter than those of the shader make it
 
 water = tree.nodes.new("ShaderNodeScript")
 water.mode, water.filepath = "EXTERNAL", str(HERE.parents[2] / "build/packages/staged/osl/gabor_ocean.osl")

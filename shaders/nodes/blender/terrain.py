@@ -27,7 +27,7 @@ mountains = tree.nodes.new("ShaderNodeScript")
 mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parents[2] / "build/packages/staged/osl/gabor_erosion.osl")
 cycles.osl.update_script_node(mountains, lambda kinds, message: print(message))
 mountains.inputs["Seed"].default_value = 7
-# Displacement does not change object coordinates.
+# Displacement changes only z of object coordinates, which the shader ignores.
 tree.links.new(tree.nodes.new("ShaderNodeTexCoord").outputs["Object"], mountains.inputs["Vector"])
 displacement = tree.nodes.new("ShaderNodeDisplacement")
 displacement.inputs["Midlevel"].default_value, displacement.inputs["Scale"].default_value = 0, 1
