@@ -14,7 +14,7 @@ import cycles.osl
 import gabor_noise
 
 HERE = pathlib.Path(__file__).resolve().parent
-SIDE, WIND, SEED = 200.0, 15.0, 7  # metres, metres per second
+SIDE, WIND, SEED, RATE = 200.0, 15.0, 7, 24  # metres, metres per second, frames per second
 
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
@@ -39,7 +39,7 @@ water = tree.nodes.new("ShaderNodeScript")
 water.mode, water.filepath = "EXTERNAL", str(HERE.parents[2] / "build/packages/staged/osl/gabor_ocean.osl")
 cycles.osl.update_script_node(water, lambda kinds, message: print(message))
 water.inputs["Wind"].default_value, water.inputs["Seed"].default_value = WIND, SEED
-water.inputs["Time"].driver_add("default_value").driver.expression = f"frame / {scene.render.fps}"
+water.inputs["Time"].driver_add("default_value").driver.expression = f"frame / {RATE}"
 # Displacement changes object coordinates, but not those of the texture.
 place = tree.nodes.new("ShaderNodeMapping")
 place.inputs["Location"].default_value, place.inputs["Scale"].default_value = 3 * [-SIDE / 2], 3 * [SIDE]
@@ -68,7 +68,7 @@ box = bpy.context.object
 def float_box(scene, _=None):
     """Moves the box to where it floats in the scene's frame."""
     a, b, c, d = gabor_noise.water_height([-1.5, 1.5, -1.5, 1.5], [-1.5, -1.5, 1.5, 1.5], wind=WIND, seed=SEED,
-                                          seconds=scene.frame_current / scene.render.fps)
+                                          seconds=scene.frame_current / RATE)
     box.location = 0, 0, (a + b + c + d) / 4 + 0.5
     box.rotation_euler = math.atan((c + d - a - b) / 6), math.atan((a + c - b - d) / 6), 0.6
 
