@@ -63,7 +63,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     vec2 slope;    // derivatives of the height by p
     vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
+    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.7
     vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 

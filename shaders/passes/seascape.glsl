@@ -87,7 +87,7 @@ float chance_below(float x) {
 }
 
 // The share of foam in a pixel that is `pixel` wide: whitecaps on as much of the sea as Monahan and O'Muircheartaigh measured in
-// 1980, more on crests, torn along the wind, and foam where waves fold. A pixel shows the mean over what it cannot resolve.
+// 1980, more on crests and torn along the wind. A pixel shows the mean over what it cannot resolve.
 float foam_on(Sea sea, GaborWater w, vec2 p, float pixel) {
     float covered = min(3.84e-6 * pow(sea.ocean.wind, 3.41), 0.3), edge = 0.6, detail = 0.25;
     float odds = 0.34427 * log((1.0 - covered) / covered), root = pow(odds + sqrt(odds * odds + 1.0), 0.33333333);
@@ -95,7 +95,6 @@ float foam_on(Sea sea, GaborWater w, vec2 p, float pixel) {
     float torn = 0.7 * gabor_noise(vec2(0.1, 0.3) * p, 0.4, 1.3, sea.seed) + 0.35 * gabor_noise(vec2(0.5, 1.1) * p, 0.6, 0.4, sea.seed)
                + 0.25 * gabor_noise(2.5 * p, 0.8, 2.0, sea.seed);
     float caps = (torn + 0.57 * w.height / sea.high - least * sqrt(1.0 + edge * edge)) / edge;
-    caps = max(caps, 2.0 * torn - 6.0 * w.fold);
     float removed = 1.0;
     if (pixel < 1.0 && caps > -2.6) { // Thin foam is a net of bubbles, along the zeros of three noises.
         vec3 zeros = abs(vec3(gabor_noise(vec2(1.1, 1.6) * p, 0.0, 0.0, sea.seed + 1u), gabor_noise(vec2(3.4, 4.6) * p, 0.0, 0.0, sea.seed + 2u),

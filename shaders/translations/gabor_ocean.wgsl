@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e5010cfc37a52302.
+// naga 30.0.1 made it from GLSL with the digest 1db84cd86f12956a.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -51,7 +51,7 @@ struct GaborWater {
     height: f32, // metres, of mean 0 and normally distributed
     slope: vec2<f32>, // derivatives of the height by p
     shift: vec2<f32>, // horizontal displacement in metres, towards crests, which it sharpens
-    fold: f32, // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.4
+    fold: f32, // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.7
     lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 

@@ -104,8 +104,10 @@ TEST_CASE("heights and slopes of the sea have the spectrum's variance and are no
         }
         Random random(1);
         Moments heights, slope_x, slope_y;
+        int foam = 0;
         for (int i = 0; i < 1 << 18; ++i) {
             const GaborWater water = anywhere(random).water(sea);
+            foam += water.fold < 0.7f; // as the manual advises
             heights.add(water.height);
             slope_x.add(water.slope.x);
             slope_y.add(water.slope.y);
@@ -120,6 +122,12 @@ TEST_CASE("heights and slopes of the sea have the spectrum's variance and are no
         CHECK(std::abs(steep - 1) < 0.005 + 2 * error);
         CHECK(std::abs(heights.mean()) < 4 * std::sqrt(height / (1 << 18)));
         CHECK(std::abs(heights.excess_kurtosis()) < 0.05);
+        if (sea.wind > 7 && sea.wind < 15) { // Monahan and O'Muircheartaigh, 1980
+            const double measured = 3.84e-6 * std::pow(sea.wind, 3.41);
+            fmt::print("  foam on {:.4f} of the sea, measured {:.4f}\n", foam / 262144.0, measured);
+            CHECK(foam / 262144.0 > measured / 2);
+            CHECK(foam / 262144.0 < measured * 2);
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 """Compiles each drop-in in every dialect, in a shader that includes the drop-ins it depends on and calls all of its
 functions. Checks the names and constructs that the drop-ins use."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -113,6 +114,11 @@ class Dialects(unittest.TestCase):
         self.assertNotRegex(result.stdout + result.stderr, "ERROR|WARNING")
         return spirv
 
+    def compile_each(self, paths):
+        """Compiles files in one process, which starts in less time than one for each."""
+        said = subprocess.run([VALIDATOR, *paths], capture_output=True, text=True, timeout=300).stdout
+        self.assertEqual([line for line in said.splitlines() if line not in map(str, paths)], [])
+
     def test_every_dialect_compiles_every_recipe(self):
         """Includes each file twice with its first recipe, to test the include guard."""
         for dialect, (*parts, stage, options) in DIALECTS.items():
@@ -156,14 +162,15 @@ class Dialects(unittest.TestCase):
         subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
         self.assertEqual(len(bundles), 22)
-        for bundle in bundles:
-            for version in ("450", "300 es"):
-                with self.subTest(bundle.name, version=version):
-                    text = bundle.read_text()
-                    self.assertIn("SPDX-License-Identifier: MIT", text)
-                    output = "layout(location = 0) out" if version == "450" else "out"
-                    self.compile(f"#version {version}\n#define GABOR_DIRECTION(p) (p)\n{text}\n{output} vec4 c;\n"
-                                 "void main() { c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u)); }\n", "frag", [])
+        made = []
+        for bundle, version in itertools.product(bundles, ("450", "300 es")):
+            text = bundle.read_text()
+            self.assertIn("SPDX-License-Identifier: MIT", text)
+            output = "layout(location = 0) out" if version == "450" else "out"
+            made.append(self.folder / f"{bundle.stem}-{version[:3]}.frag")
+            made[-1].write_text(f"#version {version}\n#define GABOR_DIRECTION(p) (p)\n{text}\n{output} vec4 c;\n"
+                                "void main() { c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u)); }\n")
+        self.compile_each(made)
 
     def test_including_two_base_drop_ins_is_an_error(self):
         for both in (("gabor_sparse", "gabor_noise"), ("gabor_noise", "gabor_sparse")):
@@ -172,7 +179,7 @@ class Dialects(unittest.TestCase):
 
     def test_spirv_tools_accept_it(self):
         tools = [["spirv-val"], ["spirv-cross", "--version", "310", "--es"], ["spirv-cross", "--version", "300", "--es"]]
-        found = [tool for tool in tools if shutil.which(tool[0])]
+        found, again = [tool for tool in tools if shutil.which(tool[0])], []
         for dialect, (*parts, stage, options) in DIALECTS.items():
             for name in FILES if "-V" in options else []:
                 spirv = self.compile(shader(name, *parts), stage, options)
@@ -182,9 +189,9 @@ class Dialects(unittest.TestCase):
                     with self.subTest(tool=tool, dialect=dialect, drop_in=name):
                         text = subprocess.run([*tool, spirv], check=True, timeout=60, stdout=subprocess.PIPE, text=True).stdout
                         if tool[0] == "spirv-cross":
-                            path = self.folder / f"again.{stage}"
-                            path.write_text(text)
-                            subprocess.run([VALIDATOR, path], check=True, timeout=60, stdout=subprocess.DEVNULL)
+                            again.append(self.folder / f"{name}-{len(again)}.{stage}")
+                            again[-1].write_text(text)
+        self.compile_each(again)
         if len(found) < len(tools):
             self.skipTest(f"not installed: {', '.join(tool[0] for tool in tools if tool not in found)}")
 

@@ -313,7 +313,7 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
           dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; fold, the determinant of the derivative
-    of (x, y) + shift, with foam where it falls below 0.4; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
+    of (x, y) + shift, with foam where it falls below 0.7; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
     shift and lost have a last axis.
 
     x, y: metres. Values equal those of the shader `gabor_ocean.glsl`, wherever and whenever they are.
