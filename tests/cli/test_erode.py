@@ -342,8 +342,10 @@ class Erode(ProgramTest):
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
         write_exr(self.folder / "flat.exr", {"Y": np.ones((4, 4), "f4")})
         pit, colour = np.ones((4, 4), "f4"), np.full((4, 4, 3), 9, "u1")
-        pit[1, 2], colour[1, 2, 0] = -9999, 8
-        write_exr(self.folder / "pit.exr", {"Y": pit})
+        colour[1, 2, 0] = 8
+        for name, absurd in ("pit", -9999), ("pit_5", -99999), ("pit_16", -32768), ("pit_15", -32767), ("pit_9", 1e9):
+            pit[1, 2] = absurd
+            write_exr(self.folder / f"{name}.exr", {"Y": pit})
         PIL.Image.fromarray(colour).save(self.folder / "colour.png")
         for words, options in {
             ("-o 'out.tif'", ".exr, .png or .r16"): ("map.exr", "-o", "out.tif"),
@@ -356,6 +358,10 @@ class Erode(ProgramTest):
             ("--gully-width", "--extent"): ("map.exr", "--gully-width=2", "-o", "out.png"),
             ("--gully-width '0'", "above 0"): ("map.exr", "--extent=5", "--gully-width=0", "-o", "out.png"),
             ("pixel (2, 1)", "-9999", "--nodata"): ("pit.exr", "-o", "out.exr"),
+            ("pixel (2, 1)", "-99999", "--nodata"): ("pit_5.exr", "-o", "out.exr"),
+            ("pixel (2, 1)", "-32768", "--nodata"): ("pit_16.exr", "-o", "out.exr"),
+            ("pixel (2, 1)", "-32767", "--nodata"): ("pit_15.exr", "-o", "out.exr"),
+            ("pixel (2, 1)", "--nodata", "1e+09"): ("pit_9.exr", "-o", "out.exr"),
             ("every pixel",): ("flat.exr", "--nodata=1", "-o", "out.exr"),
             ("in colour", "pixel (2, 1)"): ("colour.png", "-o", "out.exr"),
             ("LOW,HIGH",): ("colour.png", "--elevation=2,1", "-o", "out.png"),

@@ -184,8 +184,14 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
-        for (const std::vector<noise::Lobe>& lobes :
-             {one_wave, one_spread, recipe.is_lattice() ? stretched : several}) {
+        std::vector<std::vector<noise::Lobe>> cases{one_wave, one_spread,
+                                                    recipe.is_lattice() ? stretched : several};
+        if (recipe == noise::recipes().front()) { // as many waves as passes/pixels.comp unrolls
+            std::vector<noise::Lobe>& sixteen = cases.emplace_back();
+            for (int i = 0; i < 16; ++i)
+                sixteen.push_back({.frequency = 1 + 0.3 * i, .orientation = 11.0 * i});
+        }
+        for (const std::vector<noise::Lobe>& lobes : cases) {
             const bool is_wave = lobes == one_wave;
             render::Request far{.width = 65536,
                                 .height = 65536,
