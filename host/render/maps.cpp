@@ -318,7 +318,7 @@ void make_tile(Request& request) {
         terrain->tileable = true;
     else if (auto* plane = std::get_if<Plane>(&request.view))
         plane->tileable = true;
-    if (const double least = least_tile(request))
+    if (const double least = least_tile(request); least > 0)
         request.scale = std::min(request.scale, std::min(request.width, request.height) / least);
 }
 

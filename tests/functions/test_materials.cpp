@@ -203,7 +203,7 @@ TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]
                 bool crease = false;
                 for (const int axis : {0, 1}) {
                     std::array<double, 2> difference, bend;
-                    for (const std::size_t half : {0, 1}) {
+                    for (std::size_t half = 0; half < 2; ++half) {
                         Vec2 after = p, before = p;
                         after[axis] += m.step / (half ? 2.0f : 1.0f);
                         before[axis] -= m.step / (half ? 2.0f : 1.0f);
@@ -298,15 +298,17 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
             std::array<double, 3> mean{}, power{};
             for (int i = 0; i < samples; ++i) {
                 const GaborMaterial near = m.plain(random.uniform<Vec2>(0, 3000), n, random.word());
-                for (const int c : {0, 1, 2}) {
-                    mean[c] += wide(near.colour[c]) / samples;
-                    power[c] += square(wide(near.colour[c])) / samples;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    mean[c] += wide(near.colour[static_cast<int>(c)]) / samples;
+                    power[c] += square(wide(near.colour[static_cast<int>(c)])) / samples;
                 }
             }
             const GaborMaterial far = m.filtered(Vec2(3, 4), 3000, n, 7);
-            for (const int c : {0, 1, 2}) {
+            for (std::size_t c = 0; c < 3; ++c) {
                 const double error = std::sqrt(std::max(power[c] - square(mean[c]), 0.0) / samples);
-                largest = std::max(largest, (std::abs(wide(far.colour[c]) - mean[c]) - 3 * error) / mean[c]);
+                largest = std::max(largest,
+                                   (std::abs(wide(far.colour[static_cast<int>(c)]) - mean[c]) - 3 * error) /
+                                       mean[c]);
             }
         }
         fmt::print("  {:<13} means off by {:.4f} and three standard errors\n", m.name, largest);
