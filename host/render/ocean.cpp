@@ -11,7 +11,7 @@ namespace gabor::render {
 namespace {
 
 // GaborOcean and its bands as passes/ocean.comp reads them (std430).
-struct alignas(16) Band {
+struct alignas(16) OceanBand {
     float amplitude;
     passes::vec2 slopes;
     int exponent;
@@ -26,7 +26,7 @@ struct Ocean {
     alignas(16) float swell[3];
     int loop;
     passes::vec2 tail;
-    Band band[GABOR_OCEAN_BANDS + 1];
+    OceanBand band[GABOR_OCEAN_BANDS + 1];
 };
 static_assert(sizeof(Ocean) == 48 + (GABOR_OCEAN_BANDS + 1) * 80);
 
