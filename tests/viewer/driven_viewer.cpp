@@ -152,8 +152,9 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
 /// report before it sends the next.
 bool listen(App& app, Seen& seen) {
     pollfd input{0, POLLIN, 0};
+    const int patience = app.fine() ? 30 : 0; // in ms: most frames show what the last one showed
     std::string line;
-    if (poll(&input, 1, 0) != 1 || !std::getline(std::cin, line))
+    if (poll(&input, 1, patience) != 1 || !std::getline(std::cin, line))
         return true;
     ++seen.commands;
     const std::size_t space = line.find(' ');

@@ -2,7 +2,7 @@ extends Node3D
 ## Floats a box on the sea of sea.gdshader. Heights come from a compute shader, because GDScript cannot call C++; a server written
 ## in C++ or C# computes the same heights with gabor_ocean.hpp. With an argument, saves a picture: godot --path . sea.tscn -- sea.png
 
-const WIND := 9.0
+const WIND := 12.0
 var seconds := 60.0
 var device := RenderingServer.create_local_rendering_device()
 var shader: RID

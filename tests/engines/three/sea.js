@@ -1,4 +1,4 @@
-// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 30 kB of
+// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 20 kB of
 // WebAssembly, gives the shader its parameters and the box its heights. Drag to turn.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -7,7 +7,7 @@ const drop_in = async name => (await fetch(`./node_modules/gabor-noise/shaders/$
 const drop_ins = await drop_in("gabor_noise") + await drop_in("gabor_ocean");
 const cpu = (await WebAssembly.instantiate(await (await fetch("sea.wasm")).arrayBuffer())).instance.exports;
 
-const wind = 9, seed = 7, side = 200, vertices = 512;
+const wind = 12, seed = 7, side = 200, vertices = 512;
 
 // The members of GaborOcean in memory, as uniforms.
 function uniforms_of(address) {

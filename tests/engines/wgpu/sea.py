@@ -11,7 +11,7 @@ import wgpu
 from PIL import Image
 
 SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders" / "translations"
-WIND, SEED, SIDE, VERTICES, SIZE = 9.0, 7, 128.0, 512, (960, 540)
+WIND, SEED, SIDE, VERTICES, SIZE = 12.0, 7, 128.0, 512, (960, 540)
 seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 60.0
 SEA = "".join((SHADERS / f"gabor_{name}.wgsl").read_text() for name in ("noise", "ocean"))
 OCEAN = SEA + f"""
