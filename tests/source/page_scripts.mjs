@@ -164,6 +164,24 @@ async function* demo(html) {
             if (short(before[what]) !== short(after[what]))
                 fail(`demo/index.html: ${name}: ${before.address} opens another page: ${what} ${after[what]}`);
     }
+    // Each slider and colour alone changes what is drawn: on a small screen, where land is coarse, and without the panel, so that pictures
+    // keep their size. The frame in which land's last slider moves is the one that draws its map.
+    await open("", { globals: { innerWidth: 360 } });
+    for (const hash of [...page.root.querySelectorAll("[role=tab]").map(each => `#tab=${each.value}`), "#tab=spectra&kind=spread"]) {
+        page.location.hash = `${hash}&boards=true&moving=false&bare`;
+        page.window.send("hashchange");
+        for (const each of visible(page).filter(({ type }) => ["range", "color"].includes(type))) {
+            const drawn = [];
+            for (const value of each.type === "range" ? [off(each, 0.3), off(each, 0.6)] : ["#3a7f05", "#05307f"]) {
+                input(each, value);
+                await page.pass(16);
+                drawn.push(lines(page.calls));
+            }
+            if (drawn[0] === drawn[1])
+                fail(`demo/index.html: ${hash}: ${each.name} changes nothing`);
+        }
+        yield [`each slider of ${hash}`, page];
+    }
     // Painted directions.
     await open("#tab=stripes&field=painted");
     yield ["painted", page];
