@@ -122,6 +122,22 @@ class Plot(unittest.TestCase):
         self.assertEqual(lines, GOLDEN.read_text().splitlines())
 
 
+class Sea(unittest.TestCase):
+    def test_a_box_floats_in_blender(self):
+        """On water with one slope, the box lies flat, wherever it heads."""
+        with unittest.mock.patch.object(sys, "path", list(sys.path)):
+            names = executed(ROOT / "shaders" / "nodes" / "blender" / "sea.py", [], "bpy", "cycles", "cycles.osl", "gabor_noise")
+        names["gabor_noise"].water_height = lambda x, y, seconds, **_: 0.3 * np.array(x) - 0.2 * np.array(y) + 4 * seconds
+        names["float_box"](types.SimpleNamespace(frame_current=12))
+        box, up = vars(names["box"]), np.array([0.0, 0.0, 1.0])
+        for axis in map("XYZ".index, box.get("rotation_mode", "XYZ")):  # Blender turns about these axes, the first one first
+            turn, parts = np.exp(1j * box["rotation_euler"][axis]), [(axis + 1) % 3, (axis + 2) % 3]
+            turned = turn * complex(*up[parts])
+            up[parts] = turned.real, turned.imag
+        np.testing.assert_allclose(up / up[2], (-0.3, 0.2, 1), atol=0.01)
+        self.assertEqual(box["location"], (0, 0, 2.5))
+
+
 class Performance(unittest.TestCase):
     def test_writes_figures(self):
         names = {"__name__": "performance", "__file__": str(ROOT / "tools" / "performance")}

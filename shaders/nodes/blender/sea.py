@@ -63,6 +63,7 @@ tree.links.new(colour.outputs[2], tree.nodes["Principled BSDF"].inputs["Base Col
 bpy.ops.mesh.primitive_cube_add(size=3)
 material("box", Base_Color=(0.6, 0.12, 0.03, 1), Roughness=0.6)
 box = bpy.context.object
+box.rotation_mode = "ZXY"  # it heads, then tilts
 
 
 def float_box(scene, _=None):
