@@ -31,6 +31,11 @@ class Instructions(unittest.TestCase):
         listed = " ".join(call for call, _ in calls.table())
         self.assertEqual(noises - set(re.findall(r"\w+", listed)), {"gabor_field_direction"})  # needs a map
 
+    def test_arguments_differ(self):
+        for language in "glsl", "wgsl":
+            read = re.findall(r"\bvalues\[(\d+)\](?! =)", calls.shader("gabor_noise(p, frequency, orientation, seed)", language))
+            self.assertEqual(list(map(int, read)), list(range(sum(calls.ARGUMENTS.values()))))
+
     def test_no_call_has_grown(self):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             source, spirv = (pathlib.Path(folder) / f"call.{kind}" for kind in ("comp", "spv"))
