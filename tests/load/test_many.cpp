@@ -1,6 +1,7 @@
 // A process that renders repeatedly leaks neither memory nor descriptors. GABOR_RENDERS is the number of
 // renders.
 
+#include "../image/scratch_folder.hpp"
 #include "image/exr.hpp"
 #include "render/renderer.hpp"
 
@@ -63,7 +64,8 @@ void check_growth(const char* name, int times, double limit, Work work) {
 } // namespace
 
 TEST_CASE("repeated renders on one device, and on a new device each, leak nothing", "[load]") {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load.exr";
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder / "many.exr";
     // Keeps the driver loaded: SwiftShader leaks a descriptor whenever it is unloaded.
     const vulkan::Device device;
     // In MiB: the memory that allocators keep in reserve varies by less than 4. Mesa 25 keeps 1.6 for each
@@ -71,5 +73,4 @@ TEST_CASE("repeated renders on one device, and on a new device each, leak nothin
     const int devices = renders() / 5;
     check_growth("renders", renders(), 4, [&](int i) { render_file(device, path, i); });
     check_growth("devices", devices, 4 + 2 * devices, [&](int i) { render_file(vulkan::Device(), path, i); });
-    std::filesystem::remove(path);
 }

@@ -5,6 +5,7 @@
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
+#include "../image/scratch_folder.hpp"
 #include "image/png.hpp"
 #include "render/load.hpp"
 
@@ -550,7 +551,7 @@ TEST_CASE("a slider covers the usual values, and a double click resets it") {
 }
 
 TEST_CASE("files are listed by their endings, in order and without hidden ones, and folders are entered") {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-dialog";
+    const ScratchFolder folder;
     std::filesystem::create_directories(folder / "sub");
     for (const char* name : {"b.json", "a.JSON", "c.exr", "d.png", ".hidden.json", "e.txt", "sub/f.json"})
         std::ofstream(folder / name) << R"({"seed": 5})";
@@ -572,7 +573,7 @@ TEST_CASE("files are listed by their endings, in order and without hidden ones, 
     answer_dialog(session); // an empty name chooses nothing
     session.dialog.value().name = "..";
     answer_dialog(session);
-    CHECK(session.dialog.value().folder == folder);
+    CHECK(session.dialog.value().folder == folder.path());
     session.dialog.value().name = "b.json";
     answer_dialog(session);
     CHECK_FALSE(session.dialog);
@@ -589,12 +590,10 @@ TEST_CASE("files are listed by their endings, in order and without hidden ones, 
     ask_where_to_export(session); // maps go to a folder
     CHECK(shown() == std::pair(Names{"sub"}, Names{}));
     CHECK(session.dialog.value().folder_wanted);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("files that the session did not write are named before they are replaced") {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gabor-replaced";
-    std::filesystem::create_directories(folder);
+    const ScratchFolder folder;
     const auto path = [&](const char* name) { return (folder / name).string(); };
     for (const char* name : {"a.0001.exr", "a.0002.png", "a.0003.exr", "a.0003.png"})
         std::ofstream(path(name)) << "mine";
@@ -622,7 +621,6 @@ TEST_CASE("files that the session did not write are named before they are replac
     CHECK(session.document().path == path("a.0001.json"));
     CHECK_FALSE(is_changed(session));
     CHECK(session.recent == std::vector{path("a.0001.json")});
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a ramp keeps two colours") {
@@ -677,7 +675,8 @@ TEST_CASE("a colour stays between its neighbours") {
 
 TEST_CASE("a photograph larger than a screen is shown as the means of squares") {
     constexpr int width = 4100, height = 131, square = 3;
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-large.png";
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder / "large.png";
     std::mt19937 random(3);
     std::vector<float> colours;
     for (int i = 0; i < 3 * width * height; ++i)
@@ -693,7 +692,6 @@ TEST_CASE("a photograph larger than a screen is shown as the means of squares") 
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     } while (fitter.running());
     fitter.poll();
-    std::filesystem::remove(path);
     REQUIRE(fitter.photograph());
     const Photograph& seen = *fitter.photograph();
     CHECK(seen.square == square);
@@ -710,7 +708,8 @@ TEST_CASE("a photograph larger than a screen is shown as the means of squares") 
 }
 
 TEST_CASE("a photograph's noise replaces the document's, and another number of lobes leaves it where it is") {
-    const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-photograph.png";
+    const ScratchFolder folder;
+    const std::filesystem::path path = folder / "photograph.png";
     constexpr int side = 128;
     std::mt19937 random(3);
     std::vector<float> grey(side * side);
@@ -738,7 +737,6 @@ TEST_CASE("a photograph's noise replaces the document's, and another number of l
     document.colours = 3;
     open_photograph(session, path.string());
     fit(1);
-    std::filesystem::remove(path);
     REQUIRE(session.fitted);
     CHECK(document.output == Output::value);
     CHECK(document.contrast == Document().contrast);
