@@ -176,6 +176,8 @@ void check_output(const ErodeOptions& options) {
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
+    if (!has_extension(options.output, ".exr") && !options.masks && options.compression != "none")
+        throw RequestError("--compression requires an EXR");
 }
 
 // Returns the text of the output's header. `join` refuses pieces whose headers differ.

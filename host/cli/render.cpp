@@ -164,6 +164,8 @@ render::Files files_of(const RenderOptions& options) {
     if (options.texture && options.compression != "none")
         throw RequestError(
             "--compression cannot be combined with --texture, which programs read tile by tile");
+    if (!files.exr && options.compression != "none")
+        throw RequestError("--compression requires an EXR");
     files.compression = options.compression;
     if (options.texture && (files.png || files.heightmap))
         throw RequestError("--texture cannot be combined with a PNG or a heightmap: a texture is an EXR");

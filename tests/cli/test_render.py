@@ -265,6 +265,8 @@ class Compression(RenderTest):
     def test_only_lossless_methods_and_not_for_textures(self):
         self.assert_refused(["--compression 'dwaa'", "none, rle, zips, zip, piz"], "render", "-o", "out.exr", "--compression=dwaa")
         self.assert_refused(["--texture"], "render", "-o", "out.exr", "--texture", "--size=64x64", "--compression=zip")
+        for command in (["render"], ["erode", "map.exr"]):
+            self.assert_refused(["--compression requires an EXR"], *command, "-o", "out.png", "--compression=zip")
 
 
 class Messages(RenderTest):
