@@ -19,25 +19,32 @@ namespace { // each source compiles its own copy, with its own compiler options
 struct Lattice2 {
     static constexpr int taps = 2;
 #define GABOR_TAPS 2
+#define GABOR_LOBES 3
 #include "gabor_noise.hpp"
 
 #include "gabor_erosion.hpp"
+#include "gabor_spectrum.hpp"
 };
 
 #undef GABOR_TAPS
 #undef GABOR_NOISE_HPP
 #undef GABOR_EROSION_HPP
+#undef GABOR_SPECTRUM_HPP
 struct Lattice4 {
     static constexpr int taps = 4;
 #define GABOR_TAPS 4
 #include "gabor_noise.hpp"
+
+#include "gabor_erosion.hpp"
+#include "gabor_spectrum.hpp"
 };
 
 #undef GABOR_TAPS
 #undef GABOR_NOISE_HPP
+#undef GABOR_EROSION_HPP
+#undef GABOR_SPECTRUM_HPP
 struct Lattice3 {
     static constexpr int taps = 3;
-#define GABOR_LOBES 3
 #include "gabor_noise.hpp"
 
 #include "gabor_erosion.hpp"

@@ -228,8 +228,8 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& given, std::uint32_t seed) 
 
 // The correlation of isotropic noise at an offset d is the mean of cos(2 pi F u.d) over directions u: J_0(t)
 // in a plane that contains d, and sin(t) / t in space, where t = 2 pi F |d|.
-Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
-    return {3, seed,
+Lattice<2> isotropic_noise(double frequency, std::uint32_t seed, int taps) {
+    return {taps, seed,
             [frequency](const auto& lines, std::size_t, auto& waves) {
                 const auto words = isotropic_words(lines[0], lines[1]);
                 for (std::size_t m = 0; m < 3; ++m)

@@ -124,7 +124,7 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
 
 /// The noise of gabor_noise_isotropic and gabor_noise_3d_isotropic: three waves at each node, evenly spread
 /// and turned at random.
-Lattice<2> isotropic_noise(double frequency, std::uint32_t seed);
+Lattice<2> isotropic_noise(double frequency, std::uint32_t seed, int taps = 3);
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed);
 
 /// Isotropic noise on a surface whose tangent plane is spanned by two orthogonal unit vectors.
