@@ -65,7 +65,8 @@ void set_pixel(Sample<N>& s, const Plane<N>& sides, double angle, double deviati
     s.dy = wide(narrow(sum(-ratio * y, sides[0], ratio * x, sides[1])));
 }
 
-// Draws a square, thin, diagonal or degenerate pixel with deviations from 1/256 to 2^largest.
+// Draws a square, thin, diagonal or degenerate pixel with deviations from 1/256 to 2^largest. Half of them
+// have oblique steps, which are the same filter: turning the pair (dx, dy) does not change its covariance.
 template <std::size_t N>
 void set_any_pixel(Sample<N>& s, Random& random, double largest) {
     set_pixel(
@@ -74,6 +75,12 @@ void set_any_pixel(Sample<N>& s, Random& random, double largest) {
     if (random.one_in(4)) // steps that are nearly parallel
         for (std::size_t axis = 0; axis < N; ++axis)
             s.dy[axis] = static_cast<float>(s.dx[axis]) * 0.1f * (1 + random.uniform(-1e-3, 1e-3));
+    if (s.seed % 2) {
+        const double turn = s.seed % 7, x = std::cos(turn), y = std::sin(turn);
+        const Vector<N> dx = s.dx;
+        s.dx = wide(narrow(sum(x, dx, y, s.dy)));
+        s.dy = wide(narrow(sum(-y, dx, x, s.dy)));
+    }
 }
 
 template <std::size_t N>
