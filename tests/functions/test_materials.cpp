@@ -407,3 +407,42 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
         CHECK(std::abs(joints / 4000.0 - gaps) < 0.01);
     }
 }
+
+TEST_CASE("joints cover no board more than once, however wide they are", "[materials]") {
+    GaborBoards boards = gabor_boards_default();
+    boards.gap = 0.2f;
+    Random random(8);
+    for (const auto& [width, length] : {std::pair(0.05f, 20.0f), {10.0f, 0.05f}, {0.05f, 0.05f}})
+        for (const float pixel : {0.0f, 0.01f, 1.0f})
+            for (int i = 0; i < 100; ++i) {
+                boards.width = width;
+                boards.reach = length;
+                const GaborBoard b = gabor_board(random.uniform<Vec2>(-9, 9), Vec2(pixel, 0), Vec2(0, pixel),
+                                                 Vec2(0), boards, 7);
+                INFO(width << " x " << length << ", pixel " << pixel);
+                CHECK(std::abs(b.joint.x - 0.5f) < 0.50001f);
+            }
+}
+
+TEST_CASE("scratches have the asked direction, in a tile one of 24", "[materials]") {
+    GaborScratches scratches = gabor_scratches_default();
+    scratches.spread = 0;
+    Random random(9);
+    for (const Vec2 period : {Vec2(0), Vec2(8, 8), Vec2(12, 4), Vec2(4, 12)}) {
+        double largest = 0;
+        for (scratches.direction = -6.2f; scratches.direction < 6.3f; scratches.direction += 0.3f) {
+            double x = 0, y = 0; // cosine and sine of twice the slopes' direction
+            for (int i = 0; i < 300; ++i) {
+                const Vec2 p = random.uniform<Vec2>(0, 12);
+                const Vec2 slope = gabor_scratches_at(p, period, scratches, random.word()).slope;
+                x += square(wide(slope.x)) - square(wide(slope.y));
+                y += 2 * wide(slope.x) * wide(slope.y);
+            }
+            const double turns = (std::atan2(-y, -x) / 2 - wide(scratches.direction)) / 3.14159265;
+            largest = std::max(largest, 180 * std::abs(turns - std::round(turns)));
+        }
+        fmt::print("  period {} x {}: off by at most {:.1f} degrees\n", period.x, period.y, largest);
+        INFO(period.x << " x " << period.y);
+        CHECK(largest < (period.x > 0 ? 25 : 5));
+    }
+}

@@ -320,6 +320,8 @@ TEST_CASE("a swell has its height, period and direction and rides on the sea", "
     CHECK(later < -0.85 * cosines);
     CHECK(there > 0.85 * cosines);
     CHECK(across > 0.75 * cosines);
+    CHECK(sea.tail.x == calm.tail.x); // a swell takes no roughness from the wind's sea
+    CHECK(sea.tail.y == calm.tail.y);
 }
 
 TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the same law", "[ocean][law]") {
