@@ -1007,7 +1007,7 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, vec2 tu
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    vec3 square = leather.cells * leather.cells * vec3(0.0027, 0.0024, 0.0);
+    vec3 square = leather.cells * leather.cells * vec3(0.0027, 0.0024, -0.00012);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)

@@ -1242,7 +1242,7 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, float2 
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, 0.0);
+    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, -0.00012);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = lerp(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)

@@ -1012,7 +1012,7 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather lea
         height += relief;
         lost += gabor_impl_square(relief.yz());
     }
-    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, 0.0f);
+    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, -0.00012f);
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)

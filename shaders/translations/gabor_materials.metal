@@ -1013,7 +1013,7 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, 
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, 0.0);
+    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, -0.00012);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)

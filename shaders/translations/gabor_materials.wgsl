@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 678da4d3572f6044.
+// naga 30.0.1 made it from GLSL with the digest 9db9dbe89c99f84f.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -2637,32 +2637,32 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
             i_17 = (_e39 + 1i);
         }
     }
-    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, 0f));
-    let _e128 = samples_2;
-    let _e129 = kept_6;
-    let _e131 = square_5;
-    gabor_impl_average((&height_5), (&lost_8), _e128, _e129, 0.015964f, _e131);
-    let _e135 = share;
-    let _e136 = samples_2;
-    let _e139 = kept_6;
-    share = mix(0.806f, (_e135 / f32(_e136)), _e139);
-    let _e147 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e154 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
-    tones_1 = (_e147 + _e154);
-    let _e158 = tones_1;
-    let _e159 = gabor_impl_toned(leather.crease, _e158);
-    let _e161 = tones_1;
-    let _e162 = gabor_impl_toned(leather.pebble, _e161);
-    let _e163 = share;
-    colour_5 = mix(_e159, _e162, vec3(_e163));
-    let _e170 = lost_8;
-    lost_8 = ((leather.relief * leather.relief) * (_e170 + (0.00000064f * of_.a.lost)));
-    let _e177 = colour_5;
-    let _e179 = height_5;
-    let _e181 = lost_8;
-    let _e185 = share;
-    let _e190 = gabor_impl_material(_e177, (leather.relief * _e179), _e181, (leather.roughness + (0.15f * (1f - _e185))), 0f);
-    return _e190;
+    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, -0.00012f));
+    let _e129 = samples_2;
+    let _e130 = kept_6;
+    let _e132 = square_5;
+    gabor_impl_average((&height_5), (&lost_8), _e129, _e130, 0.015964f, _e132);
+    let _e136 = share;
+    let _e137 = samples_2;
+    let _e140 = kept_6;
+    share = mix(0.806f, (_e136 / f32(_e137)), _e140);
+    let _e148 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e155 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_1 = (_e148 + _e155);
+    let _e159 = tones_1;
+    let _e160 = gabor_impl_toned(leather.crease, _e159);
+    let _e162 = tones_1;
+    let _e163 = gabor_impl_toned(leather.pebble, _e162);
+    let _e164 = share;
+    colour_5 = mix(_e160, _e163, vec3(_e164));
+    let _e171 = lost_8;
+    lost_8 = ((leather.relief * leather.relief) * (_e171 + (0.00000064f * of_.a.lost)));
+    let _e178 = colour_5;
+    let _e180 = height_5;
+    let _e182 = lost_8;
+    let _e186 = share;
+    let _e191 = gabor_impl_material(_e178, (leather.relief * _e180), _e182, (leather.roughness + (0.15f * (1f - _e186))), 0f);
+    return _e191;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {

@@ -39,6 +39,15 @@ struct NoWindow {
     ~NoWindow() { ImGui::DestroyContext(); }
 };
 
+// Presses a button in the next frame.
+void activate(ImGuiID id) {
+#if IMGUI_VERSION_NUM < 19000
+    ImGui::ActivateItem(id);
+#else
+    ImGui::ActivateItemByID(id);
+#endif
+}
+
 // Returns all text of the panel, with every section open except the laboratory.
 std::string panel_text(Session& session) {
     const NoWindow none;
@@ -84,7 +93,7 @@ void press_in_panel(Session& session, const std::string& section, const char* la
         ImGui::EndChild();
         ImGui::End();
         if (frame == 1)
-            ImGui::ActivateItem(id); // in the next frame
+            activate(id);
         ImGui::EndFrame();
     }
 }
@@ -203,7 +212,7 @@ TEST_CASE("a question gives the answer whose button is pressed") {
             frame({0, 0}, [&, name = label] {
                 question_window(session);
                 if (i == 1)
-                    ImGui::ActivateItem(ImGui::FindWindowByName("Please confirm")->GetID(name));
+                    activate(ImGui::FindWindowByName("Please confirm")->GetID(name));
             });
         CHECK_FALSE(session.question);
         CHECK(found == given);
@@ -256,7 +265,7 @@ TEST_CASE("a double click adds the colour that is there, and a button removes it
     CHECK(ramp[1].at == Approx(0.25).margin(0.01));
     for (const auto& [c, part] : {std::pair(0u, 0.5), {1u, 0.2}, {2u, 0.0}})
         CHECK(ramp[1].colour.at(c) == Approx(part).margin(0.02));
-    ImGui::ActivateItem(ImGui::FindWindowByName("panels")->GetID("remove"));
+    activate(ImGui::FindWindowByName("panels")->GetID("remove"));
     frame({0, 0}, draw);
     CHECK(ramp == document.ramp);
     for (int i = 0; i < 8; ++i)
