@@ -50,14 +50,12 @@ std::string members_of(const View& view, render::Parameter::Group group, std::st
     for (const render::Parameter& p : render::parameters())
         if (p.group == group && render::is_set(view.request, p.name)) {
             const render::Value value = *p.get(view.request);
-            const auto* colour = std::get_if<std::array<double, 3>>(&value);
-            double number = colour ? 0 : std::get<double>(value);
-            if (p.kind == render::Parameter::Kind::angle)
-                number = noise::radians(number);
+            const auto* number = std::get_if<double>(&value);
             text += glsl("    {}.{} = {};\n", of, p.name.substr(p.name.find('.') + 1),
-                         colour                                       ? literal(*colour)
-                         : p.kind == render::Parameter::Kind::integer ? fmt::format("{}", number)
-                                                                      : literal(number));
+                         !number ? literal(std::get<std::array<double, 3>>(value))
+                         : p.kind == render::Parameter::Kind::integer ? fmt::format("{}", *number)
+                         : p.kind == render::Parameter::Kind::angle   ? literal(noise::radians(*number))
+                                                                      : literal(*number));
         }
     return text;
 }
@@ -104,10 +102,10 @@ std::string axes_of(const View& view, passes::vec2 yaw, passes::vec2 pitch) {
 
 // ---- The noise ----
 
-// GLSL for one of the noises: its place, the radius of its kernels, and the function that returns its field,
-// with the arguments that describe its waves and {} for a filter.
+// GLSL for one of the noises: its place, and the function that returns its field, with the arguments that
+// describe its waves and {} for a filter.
 struct Term {
-    std::string place, radius, field;
+    std::string place, field;
 };
 
 Term term_of(const View& view, const passes::PixelsWave& wave) {
@@ -118,7 +116,6 @@ Term term_of(const View& view, const passes::PixelsWave& wave) {
                  render::in_perspective(view.request) ? wave.camera : passes::vec2{x.local, y.local},
                  std::array{wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y}, wave.nodes,
                  wave.period.x, wave.period.y),
-            glsl("{}", wave.radius),
             glsl("gabor_field{{}}, gabor_{}({}, {}){}",
                  view.request.recipe.is_lattice() ? "wave_vector" : "kernel", wave.frequency,
                  wave.orientation, ratio == 1 ? "" : glsl(" * vec2(1.0, {})", ratio))};
@@ -127,7 +124,7 @@ Term term_of(const View& view, const passes::PixelsWave& wave) {
 Term term_of(const View& view, const passes::SolidWave& wave) {
     const bool surface = render::along_surface(view.request);
     const std::string direction = glsl("{}vec3({}, 0.0)", surface ? ", " : " * ", wave.direction);
-    return {glsl("gabor_place_3d_at(p / {})", wave.radius), glsl("{}", wave.radius),
+    return {glsl("gabor_place_3d_at(p / {})", wave.radius),
             glsl("gabor_field_{}{}{{}}, {}{}{}", surface ? "surface" : "3d",
                  wave.isotropic ? "_isotropic" : "", surface ? "normal, " : "", wave.frequency,
                  wave.isotropic ? "" : direction)};
@@ -146,8 +143,8 @@ std::string terms(const View& view, std::size_t table) {
         if (std::exchange(place, term.place) != term.place)
             text +=
                 glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
-        const std::string noise = glsl("noise_of({}, {}u), {})", glsl(term.field, glsl(filter, term.radius)),
-                                       wave.seed, term.radius);
+        const std::string noise = glsl("noise_of({}, {}u), {})", glsl(term.field, glsl(filter, wave.radius)),
+                                       wave.seed, wave.radius);
         const auto& [a, b, c] = wave.weights;
         text += view.request.colour
                     ? glsl("    add_weighted(sum, {}, vec2[3]({}, {}, {}));\n", noise, a, b, c)
@@ -361,15 +358,15 @@ std::string snippet(const Document& document, Extent extent) {
     render::Viewport viewport = viewport_of(drawing, view.camera, extent);
     viewport.blocks = render::Blocks::none;
     view.plan = render::plan(drawing.request, viewport);
-    const std::string text = render::has_terrain(view.request)    ? terrain_snippet(view)
-                             : render::has_sea(view.request)      ? sea_snippet(view)
-                             : render::has_material(view.request) ? material_snippet(view)
-                                                                  : noise_snippet(view);
+    const auto text = render::has_terrain(view.request)    ? terrain_snippet
+                      : render::has_sea(view.request)      ? sea_snippet
+                      : render::has_material(view.request) ? material_snippet
+                                                           : noise_snippet;
     return glsl(
         "// What gabor-viewer showed in a view of {} x {} pixels. Put this after #version.\n{}"
         "// pixel: in that view, from the upper left corner, with y pointing down.\n"
         "// p: a point of the body, in kernel radii or units of the material. normal: the normal.\n{}",
-        extent.width, extent.height, painted ? "// The paint is left out.\n" : "", text);
+        extent.width, extent.height, painted ? "// The paint is left out.\n" : "", text(view));
 }
 
 } // namespace gabor::viewer
