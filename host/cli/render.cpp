@@ -320,10 +320,11 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("View and light", render::Parameter::Group::view);
     parameters("View and light", render::Parameter::Group::light);
     parameters("Terrain", render::Parameter::Group::terrain);
-    parameters("Ocean", render::Parameter::Group::sea);
     option("--heightmap", options->heightmap, "FILE",
-           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it");
+           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it (for the "
+           "terrain view)");
     add_elevation_option(*command, options->elevation, "the full possible range");
+    parameters("Ocean", render::Parameter::Group::sea);
 
     begin_group(*command, "Textures");
     option("--maps", options->maps, "FOLDER",

@@ -372,8 +372,8 @@ std::vector<Parameter> sea_rows() {
             row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
                 "Where the swell goes, from the direction of the wind", in_view(&Sea::swell_direction)),
             row("loop", Kind::choice, "seconds", none, none, scopes::sea,
-                "Seconds after which the sea repeats exactly, for films: several periods of the swell, since "
-                "periods become a whole part of them. Groups of waves then stand still",
+                "Seconds after which the sea repeats exactly, for films: several periods of the swell. "
+                "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
