@@ -126,8 +126,7 @@ def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, ori
 def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
                     period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return noise of waves in all directions, at the same cost for every frequency: about that of four calls of `noise`.
-    Arguments are those of `noise`."""
+    """Return noise of waves in all directions, at the same cost for every frequency. Arguments are those of `noise`."""
     return evaluate("isotropic", locals())
 
 
@@ -135,8 +134,7 @@ def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orie
                  frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
                  period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return noise of a range of waves, a sum of up to 1024 noises: at frequency 2, all directions cost as much as 10 calls of
-    `noise`.
+    """Return noise of a range of waves, a sum of up to 1024 noises: of 10 for all directions at frequency 2.
 
     frequency_spread: frequencies are within this fraction of the frequency, 0 to 1.
     orientation_spread: directions are within so many radians of the orientation, 0 to pi/2, which is all directions.
@@ -203,7 +201,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
     direction: a vector of any length along the wave vector, three numbers along the last axis; None for waves in all
-    directions, at seven times the cost.
+    directions, at several times the cost.
     The other arguments are those of `noise`; a period may have three numbers.
     """
     if direction is None:
@@ -251,8 +249,8 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel:
 def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: ArrayLike = 0, workers: int | None = None,
           dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
-    axis of 4. Gullies follow the map smoothed to their scale, as with `gabor erode`, which has rounder creases, half as many gullies
-    by default, and a limit to the changes.
+    axis of 4. Gullies follow the map smoothed to their scale, as with `gabor erode`, which has other defaults and a limit to the
+    changes.
 
     heights: an array of at least 3 x 3 heights.
     extent: the map's width, in the unit of its heights.
@@ -324,8 +322,8 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
     swell: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
     swell_period: its seconds from crest to crest, 5 to 25.
     swell_direction: where it goes, as `direction`: from +x towards +y.
-    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and periods become
-    a whole part of the loop, which should last several periods of the swell.
+    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and each wave's
+    period becomes an integer fraction of the loop, which should last several periods of the swell.
     pixel: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
     """
     values = evaluate("water", locals())
@@ -347,11 +345,11 @@ _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "g
 
 
 def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
-    """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
-    "ocean", "direction" or "sparse".
+    """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose",
+    "erosion", "ocean", "direction" or "sparse".
 
-    Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, and "filter_3d" after
-    "filter" and "noise_3d".
+    Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, "compose" after "materials", and
+    "filter_3d" after "filter" and "noise_3d".
     """
     folder = importlib.resources.files(__name__) / "source"
     if language not in _ENDINGS:
