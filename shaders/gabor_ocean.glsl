@@ -54,8 +54,8 @@ struct GaborOcean {
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
 //     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions
 //     and a sharp peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
-//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
-//     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
+//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer
+//     fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
 //     for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d2d72e28bc873972.
+// naga 30.0.1 made it from GLSL with the digest c28ea545a61db080.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the

@@ -54,9 +54,9 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 }
 
 // float gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
-//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
-//     entropy.
+//     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
+//     0.61 of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in
+//     relative entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -74,8 +74,7 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
-// and the streaks of metal follow p: bend p to bend them. Directions
-// may vary from pixel to pixel.
+// and the streaks of metal follow p: bend p to bend them. Directions may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {

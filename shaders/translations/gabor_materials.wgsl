@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 9db9dbe89c99f84f.
+// naga 30.0.1 made it from GLSL with the digest d7a9606551743f9b.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -35,9 +35,9 @@ struct GaborMaterial {
 }
 
 // f32 gabor_roughness(GaborMaterial material)
-// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by 0.61
-//     of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in relative
-//     entropy.
+//     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
+//     0.61 of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in
+//     relative entropy.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -55,8 +55,7 @@ struct GaborMaterial {
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
-// and the streaks of metal follow p: bend p to bend them. Directions
-// may vary from pixel to pixel.
+// and the streaks of metal follow p: bend p to bend them. Directions may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {

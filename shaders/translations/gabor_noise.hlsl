@@ -57,7 +57,7 @@
 
 // float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
+//     cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of the time: a float has so few digits
 //     at 1000 that the noise errs by 4e-4.
 
 // float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)

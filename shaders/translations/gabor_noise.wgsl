@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 6ff714f91de32f61.
+// naga 30.0.1 made it from GLSL with the digest 605340f57d4d3648.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -42,7 +42,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
 //     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a f32 has so few digits
+//     cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of the time: a f32 has so few digits
 //     at 1000 that the noise errs by 4e-4.
 
 // vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)

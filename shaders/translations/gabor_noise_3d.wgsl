@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 085ad5c7ff97a36a.
+// naga 30.0.1 made it from GLSL with the digest aa4e6ff2ac4ec57e.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal

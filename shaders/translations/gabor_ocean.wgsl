@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 1db84cd86f12956a.
+// naga 30.0.1 made it from GLSL with the digest 104a3f55ef279af3.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -42,8 +42,8 @@ struct GaborOcean {
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
 //     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions
 //     and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
-//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes the loop or a whole
-//     part of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
+//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer
+//     fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
 //     for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.

@@ -28,9 +28,9 @@
 
 // float gabor_noise_isotropic(float2 p, float frequency, uint seed)
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
-//     Noise of waves in all directions, at the same cost for every frequency: 3.5 times that of gabor_noise. It has mean
-//     0 and variance 1; value and gradient are normal at every point. The power varies with direction only because of
-//     the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of normal
+//     Noise of waves in all directions, at the same cost for every frequency: 4 to 6 times that of gabor_noise. It has
+//     mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only because
+//     of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of normal
 //     distributions; those of gabor_noise_spread, a sum over directions, are jointly normal. At each point the
 //     quadrature is independent of the noise, but not of the noise's gradient.
 

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 29b9c2e47c3d9b2f.
+// naga 30.0.1 made it from GLSL with the digest c620ed422396e2f9.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -24,9 +24,9 @@
 
 // f32 gabor_noise_isotropic(vec2f p, f32 frequency, u32 seed)
 // GaborField gabor_field_isotropic(GaborPlace place, f32 frequency, u32 seed)
-//     Noise of waves in all directions, at the same cost for every frequency: 3.5 times that of gabor_noise. It has mean
-//     0 and variance 1; value and gradient are normal at every point. The power varies with direction only because of
-//     the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of normal
+//     Noise of waves in all directions, at the same cost for every frequency: 4 to 6 times that of gabor_noise. It has
+//     mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only because
+//     of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of normal
 //     distributions; those of gabor_noise_spread, a sum over directions, are jointly normal. At each point the
 //     quadrature is independent of the noise, but not of the noise's gradient.
 
