@@ -87,7 +87,7 @@ struct GaborFabric {
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
-    float weave;      // plain weave, twill or herringbone, 0 to 2
+    float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d7a9606551743f9b.
+// naga 30.0.1 made it from GLSL with the digest 301541b2224cb749.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -77,7 +77,7 @@ struct GaborFabric {
     relief: f32, // height of the weave and of the cords, relative to the default, 0 to 3
     roughness: f32, // 0 to 1
     cords: f32, // cords per unit, 0 to 20
-    weave: f32, // plain weave, twill or herringbone, 0 to 2
+    weave: f32, // plain weave 0, twill 1, herringbone 2, 0 to 2
 }
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
