@@ -114,7 +114,7 @@ struct Map : render::HeightMap {
 
 // Opens and smooths the map. Prints what it has to guess.
 Map map_of(const ErodeOptions& options, const Open& open, const image::PictureReader::Format& format,
-           std::optional<double> extent, double gully_frequency) {
+           std::optional<render::Elevation> heights, std::optional<double> extent, double gully_frequency) {
     Map map;
     map.open = open;
     const std::string name = options.map.string();
@@ -131,9 +131,8 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     else
         map.missing = format.missing;
     if (format.bits < 32) {
-        const render::Elevation elevation = options.elevation ? parse_elevation(*options.elevation)
-                                            : extent          ? render::Elevation{0, *extent / 8}
-                                                              : typical_elevation;
+        const render::Elevation elevation =
+            heights.value_or(extent ? render::Elevation{0, *extent / 8} : typical_elevation);
         map.scale = elevation.high - elevation.low;
         map.offset = elevation.low;
         if (map.missing) // --nodata is the value in the file
@@ -148,10 +147,10 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     map.extent = extent                   ? *extent
                  : map.smoothed.slope > 0 ? map.smoothed.slope * map.width / typical_slope
                                           : map.width;
-    if (!extent || (format.bits < 32 && !options.elevation))
+    const bool guessed = format.bits < 32 && !heights;
+    if (!extent || guessed)
         fmt::print("{}: heights from {:.6g} to {:.6g}{}, {:.4g} wide{}\n", name, map.smoothed.range[0],
-                   map.smoothed.range[1],
-                   format.bits < 32 && !options.elevation ? " (a guess: give --elevation)" : "", map.extent,
+                   map.smoothed.range[1], guessed ? " (a guess: give --elevation)" : "", map.extent,
                    extent ? "" : " (a guess from typical slopes: give --extent)");
     return map;
 }
@@ -253,11 +252,19 @@ void erode(const ErodeOptions& options) {
     check_output(options);
     const Open open = reader_of(options);
     const image::PictureReader::Format format = open()->format();
+    std::optional<render::Elevation> heights;
     std::optional<double> extent = format.extent;
+    if (const auto scale = render::scale_beside(options.map);
+        scale && !options.elevation && !options.extent) {
+        heights = scale->elevation;
+        extent = scale->extent;
+    }
+    if (options.elevation)
+        heights = parse_elevation(*options.elevation);
     if (options.extent)
         extent = parse_positive("--extent", *options.extent, "the width of the map, above 0");
     render::Request request = request_of(options, extent);
-    const Map map = map_of(options, open, format, extent,
+    const Map map = map_of(options, open, format, heights, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));
     if (!is_given(options, "strength"))
         limit_strength(request, map);
@@ -299,8 +306,8 @@ void add_erode_command(CLI::App& app) {
     add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
                "Size of a file without a header, such as .r16, .raw or .r32");
     add_option(*command, "--extent", options->extent, "NUMBER",
-               "Width of the map, in the same unit as its heights; without it, that of a GeoTIFF, or a guess "
-               "from the slopes, which is printed");
+               "Width of the map, in the same unit as its heights; without it, that of a GeoTIFF or of the "
+               ".json file beside a map that gabor wrote, or a guess from the slopes, which is printed");
     add_elevation_option(*command, options->elevation, "0 and an eighth of --extent, or 0,1000");
     add_option(*command, "--nodata", options->nodata, "NUMBER",
                "Value of pixels that have no height; without it, that of a GeoTIFF");

@@ -9,12 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <strings.h>
 
 namespace gabor::render {
 
 namespace {
+
+std::filesystem::path beside(const std::filesystem::path& map) {
+    return map.string() + ".json";
+}
 
 nlohmann::ordered_json scale_of(const image::Rect& region, double pixel) {
     return {{"width", region.width},
@@ -28,9 +33,22 @@ bool has_extension(const std::filesystem::path& path, const char* extension) {
     return ::strcasecmp(path.extension().c_str(), extension) == 0;
 }
 
+std::optional<MapScale> scale_beside(const std::filesystem::path& map) {
+    std::ifstream file(beside(map));
+    const auto json = nlohmann::ordered_json::parse(file, nullptr, false);
+    try {
+        const auto& elevation = json.at("elevation");
+        const MapScale scale{{elevation.at(0), elevation.at(1)}, json.at("extent").at(0)};
+        if (scale.elevation.low < scale.elevation.high && scale.extent > 0)
+            return scale;
+    } catch (const nlohmann::ordered_json::exception&) { // another program's, or none
+    }
+    return std::nullopt;
+}
+
 HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                            double pixel)
-    : elevation_(elevation), scale_(path.string() + ".json") {
+    : elevation_(elevation), scale_(beside(path)) {
     if (has_extension(path, ".png"))
         png_.emplace(path, region.width, region.height, 1, 16);
     else if (has_extension(path, ".r16"))

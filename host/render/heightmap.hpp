@@ -20,6 +20,15 @@ struct Elevation {
     double high;
 };
 
+/// The heights of a map, and its width in the same unit.
+struct MapScale {
+    Elevation elevation;
+    double extent;
+};
+
+/// What HeightWriter wrote beside this heightmap, if anything.
+std::optional<MapScale> scale_beside(const std::filesystem::path& map);
+
 /// Writes a 16-bit heightmap as PNG or .r16, and beside it a JSON file with its size and range of heights.
 class HeightWriter {
   public:

@@ -108,6 +108,13 @@ class Erode(ProgramTest):
             self.assertGreater(high, from_raw["height"].max())
         again = self.eroded("--elevation=-1,2", map="out.png") # the program reads what it writes
         self.assertEqual(again["height"].shape, (40, 30))
+        self.assertNotIn("guess", self.succeed("erode", "out.png", "-o", "same.exr")) # and its scale
+        stated = [f"--elevation={low},{high}", f"--extent={scale['extent'][0]}"]
+        self.succeed("erode", "out.png", "-o", "stated.exr", *stated)
+        for name, values in Exr(self.folder / "stated.exr").channels.items():
+            np.testing.assert_array_equal(Exr(self.folder / "same.exr").channels[name], values)
+        (self.folder / "out.png.json").write_text('{"extent": 4}') # another program's
+        self.assertIn("guess", self.succeed("erode", "out.png", "-o", "same.exr"))
 
     def test_erosion_is_in_proportion_to_the_map(self):
         """A map that is higher, wider or both erodes in proportion, and --gully-width has the unit of --extent."""
