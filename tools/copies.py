@@ -73,7 +73,7 @@ def materials(of_materials, of_boards):
 
 def dense(wgsl):
     """Returns a translation with each function of naga's on one line."""
-    return re.sub(r"(?ms)^fn .*?^}", lambda match: re.sub(r"\s+", " ", match[0]), wgsl)
+    return re.sub(r"(?ms)^fn [^\n]*{\n.*?^}", lambda match: re.sub(r"\s+", " ", match[0]), wgsl)
 
 
 # The files of the page's sea, in order. It has more bands than the translation.

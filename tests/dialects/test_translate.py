@@ -338,6 +338,11 @@ class Program(unittest.TestCase):
         self.assertEqual((said.returncode, said.stderr, re.findall(r"(\S+): not current", said.stdout)), (1, "", ["gabor_noise.hlsl"]))
         self.assertIn("gabor_noise.metal: current\n", said.stdout)
 
+    def test_without_naga_the_page_is_current_too(self):
+        page = translate.copies.DEMO
+        made = dict(translate.copies.made(translate.shader, lambda tree, name, macros, existing: existing))
+        self.assertTrue(made[page] == page.read_text())
+
 
 if __name__ == "__main__":
     unittest.main()
