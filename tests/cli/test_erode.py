@@ -135,6 +135,10 @@ class Erode(ProgramTest):
         self.assertAlmostEqual(one.parameters["slope"] * one.parameters["width"] / one.parameters["extent"],
                                turned.parameters["slope"] * turned.parameters["width"] / turned.parameters["extent"], delta=1e-6)
         self.assertEqual(one.parameters["heights"], turned.parameters["heights"])
+        write_exr(self.folder / "mirrored.exr", {"Y": hills(96, 160)[:, ::-1]})
+        self.succeed("erode", "mirrored.exr", "-o", "out.exr", "--octaves=0", f"--extent={96 / 12}", "--gully-width=1")
+        slope = Exr(self.folder / "out.exr").channels["slope.x"]
+        np.testing.assert_allclose(-slope[:, ::-1], one.channels["slope.x"], atol=1e-5 * np.abs(slope).max())
         for name, other in ("height", "height"), ("slope.x", "slope.y"), ("slope.y", "slope.x"):
             np.testing.assert_allclose(one.channels[name], turned.channels[other].T, atol=1e-5, err_msg=name)
 
@@ -244,12 +248,12 @@ class Erode(ProgramTest):
         values[40:50, 30:60] = 7
         for kind in "<i2", ">u2", "<f4":
             for keys in metres, degrees:
-                write_tiff(self.folder / "map.tif", values.astype(kind), t33550=("d", 30, 20, 0), t34735=keys, t42113=("s", b"7"))
+                write_tiff(self.folder / "map.tif", values.astype(kind), t33550=("d", 0.5, 0.25, 0), t34735=keys, t42113=("s", b"7"))
                 text = self.succeed("erode", "map.tif", "-o", "out.exr")
                 self.assertEqual("a guess" in text, keys == degrees)
                 out = Exr(self.folder / "out.exr")
                 np.testing.assert_array_equal(out.channels["height"] == 7, values == 7)
-                self.assertEqual(out.parameters["extent"] == 2700, keys == metres)
+                self.assertEqual(out.parameters["extent"] == 45, keys == metres)
         self.succeed("erode", "map.tif", "-o", "out.exr", "--extent=5000", "--nodata=8")
         out = Exr(self.folder / "out.exr")
         self.assertEqual(out.parameters["extent"], 5000)

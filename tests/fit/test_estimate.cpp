@@ -399,6 +399,7 @@ TEST_CASE("structure distinguishes edges and ridges from waves and from normal n
                std::sin(w * y + 1);
     };
     CHECK(structure(waves) < Structure::limit);
+    CHECK(structure([&](int x, int y) { return waves(y, x); }) == Approx(structure(waves)).epsilon(1e-4));
     for (const double sign : {1.0, -1.0})
         CHECK(structure([&](int x, int y) { return sign * std::abs(waves(x, y)); }) > 3 * Structure::limit);
 }

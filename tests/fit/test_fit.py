@@ -309,7 +309,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertNotIn("NaN", json.dumps(written))
 
     def test_wrong_pictures_are_refused(self):
-        write_png(self.folder / "small.png", colour_noise(96))
+        write_png(self.folder / "narrow.png", colour_noise(160)[:, :96])
         write_png(self.folder / "constant.png", np.full((256, 256), 0.5))
         slope = np.linspace(0, 1, 256)
         write_png(self.folder / "trend.png", np.broadcast_to(0.2 + 0.5 * slope[:, None], (256, 256)), bits=16)
@@ -320,7 +320,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         values = colour_noise(160).astype("f4")
         values[100, 50, 2] = np.nan
         write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
-        for words, image in ((["small.png", "96 x 96", "128 x 128"], "small.png"), (["constant.png", "no texture"], "constant.png"),
+        for words, image in ((["narrow.png", "96 x 160", "128 x 128"], "narrow.png"), (["constant.png", "no texture"], "constant.png"),
                              (["trend.png", "no texture"], "trend.png"), (["cut.png"], "cut.png"),
                              (["video.mp4", "PNG, JPEG, TGA, TIFF or OpenEXR"], "video.mp4"),
                              (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):

@@ -11,6 +11,7 @@
 #include "passes/material_interface.h"
 #include "passes/pictures.h"
 #include "passes/pixels_interface.h"
+#include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
 
 #include <catch2/catch.hpp>
@@ -185,6 +186,22 @@ TEST_CASE("a plane in perspective is drawn from the position of its camera") {
     const auto wave = values_of<passes::PixelsWave>(plan(request, viewport).tables.at(2)).at(0);
     CHECK(wave.camera.x == 0.6875f);
     CHECK(wave.camera.y == 0.125f);
+}
+
+TEST_CASE("a slice is drawn from the position of its camera, at any zoom") {
+    const Request request = request_of({{"view", "slice"}});
+    Viewport viewport = viewport_of(request, {0, 0, 150, 113});
+    viewport.blocks = Blocks::none;
+    viewport.camera.x = {2, 0.25};
+    viewport.camera.y = {-4, 0.5};
+    for (const double zoom : {0.5, 1.0, 3.0}) {
+        viewport.camera.zoom = zoom;
+        const auto push = values_of<passes::SolidPush>(plan(request, viewport).steps.front().push).at(0);
+        const double pixel = double{push.pixel};
+        CHECK(pixel == Approx(1 / (request.scale * zoom)));
+        CHECK((push.first_column + viewport.width / 2.0) * pixel == Approx(2.25).margin(pixel));
+        CHECK((push.first_row + viewport.height / 2.0) * pixel == Approx(-3.5).margin(pixel));
+    }
 }
 
 TEST_CASE("columns continue where cells wrap around") {
