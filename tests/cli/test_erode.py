@@ -135,10 +135,6 @@ class Erode(ProgramTest):
         self.assertAlmostEqual(one.parameters["slope"] * one.parameters["width"] / one.parameters["extent"],
                                turned.parameters["slope"] * turned.parameters["width"] / turned.parameters["extent"], delta=1e-6)
         self.assertEqual(one.parameters["heights"], turned.parameters["heights"])
-        write_exr(self.folder / "mirrored.exr", {"Y": hills(96, 160)[:, ::-1]})
-        self.succeed("erode", "mirrored.exr", "-o", "out.exr", "--octaves=0", f"--extent={96 / 12}", "--gully-width=1")
-        slope = Exr(self.folder / "out.exr").channels["slope.x"]
-        np.testing.assert_allclose(-slope[:, ::-1], one.channels["slope.x"], atol=1e-5 * np.abs(slope).max())
         for name, other in ("height", "height"), ("slope.x", "slope.y"), ("slope.y", "slope.x"):
             np.testing.assert_allclose(one.channels[name], turned.channels[other].T, atol=1e-5, err_msg=name)
 
