@@ -407,7 +407,7 @@ void see_all(int i) {
     any.crease_rounding = drawn_to_ends(i, 68, 0.0f, 2.0f);
     any.gully_weight = drawn_to_ends(i, 69, 0.0f, 1.0f);
     any.branching = drawn_to_ends(i, 70, 0.0f, 2.0f);
-    ground.cell = ivec2(i % 9, -i % 5);
+    ground.cell = ivec2(i % 9, -(i % 5));
     ground.period = vec2(i % 3 == 0 ? 0.0f : 0.5f * s.period.x, i % 3 == 1 ? 0.0f : s.period.y);
     SEE(kept(gabor_terrain_at(ground, 0.1f * s.dx, 0.1f * s.dy, s.seed)))
     SEE(kept(gabor_eroded_at(ground, 0.1f * s.dx, 0.1f * s.dy, base, any, s.seed)))
