@@ -410,10 +410,13 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
                    "Open a JSON file of parameters, an EXR that gabor rendered, or a preset by name")
         ->type_name("FILE");
     app.add_option("--window", size, "Window size")->type_name("WIDTHxHEIGHT");
-    app.add_option("--ui-scale", options.ui_scale,
-                   "Scale of panels and text, relative to the desktop's [as in the last session]")
+    app.add_option(
+           "--ui-scale", options.ui_scale,
+           fmt::format(
+               "Scale of panels and text, {} to {}, relative to the desktop's [as in the last session]",
+               least_ui_scale, most_ui_scale))
         ->type_name("NUMBER")
-        ->check(CLI::Range(least_ui_scale, most_ui_scale));
+        ->check(CLI::Range(least_ui_scale, most_ui_scale).description(""));
     app.add_option("--device", options.device,
                    "Vulkan device: its index or part of its name [the fastest kind]")
         ->type_name("NAME");

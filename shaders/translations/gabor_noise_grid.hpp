@@ -1,5 +1,5 @@
-// gabor_noise_grid.hpp: fills a rectangle of pixels with the noise of gabor_noise.hpp, ten times as fast as a
-// loop over pixels.
+// gabor_noise_grid.hpp: fills a rectangle of pixels with the noise of gabor_noise.hpp, 5 to 10 times as fast
+// as a loop over pixels.
 //
 //     GaborGrid grid;                                // 512 x 512 pixels, 32 per kernel radius
 //     grid.wave = gabor_wave_vector(4.0f, 0.7854f);  // frequency and orientation

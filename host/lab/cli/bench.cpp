@@ -174,7 +174,8 @@ void add_bench_command(CLI::App& app) {
         "--isa", options->isa,
         "Report the compiler's statistics instead of times. Needs RADV but no GPU: see tools/isa");
     command->add_option("files", options->files, "SPIR-V files to report on instead of the noises")
-        ->check(CLI::ExistingFile)
+        ->type_name("FILE")
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
         ->needs(isa);
     command->callback([options] { run_bench(*options); });
 }
