@@ -254,15 +254,15 @@ void erode(const ErodeOptions& options) {
     const image::PictureReader::Format format = open()->format();
     std::optional<render::Elevation> heights;
     std::optional<double> extent = format.extent;
-    if (const auto scale = render::scale_beside(options.map);
-        scale && !options.elevation && !options.extent) {
-        heights = scale->elevation;
-        extent = scale->extent;
-    }
     if (options.elevation)
         heights = parse_elevation(*options.elevation);
     if (options.extent)
         extent = parse_positive("--extent", *options.extent, "the width of the map, above 0");
+    if (!options.elevation && !options.extent)
+        if (const auto scale = render::scale_beside(options.map)) {
+            heights = scale->elevation;
+            extent = scale->extent;
+        }
     render::Request request = request_of(options, extent);
     const Map map = map_of(options, open, format, heights, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));
