@@ -17,23 +17,33 @@ inline std::string literal(double value) {
     return text;
 }
 
-/// A literal for a vector of `size` floats.
-template <typename Number, std::size_t size>
-std::string literal(const std::array<Number, size>& vector) {
-    std::string components;
-    for (const Number component : vector)
-        components += (components.empty() ? "" : ", ") + literal(double{component});
-    return fmt::format("vec{}({})", size, components);
+/// A literal for a struct of x and y.
+template <typename Vector>
+requires requires(const Vector& vector) {
+    vector.y;
+}
+std::string literal(const Vector& vector) {
+    return fmt::format("vec2({}, {})", literal(vector.x), literal(vector.y));
 }
 
-/// Formats GLSL. Writes values that are not integers or text as literals; a struct of x and y is a vector.
+/// A literal for a vector of `size` floats, or for an array of `size` vectors.
+template <typename Part, std::size_t size>
+std::string literal(const std::array<Part, size>& parts) {
+    std::string text;
+    for (const Part& part : parts)
+        text += (text.empty() ? "" : ", ") + literal(part);
+    if constexpr (std::is_arithmetic_v<Part>)
+        return fmt::format("vec{}({})", size, text);
+    else
+        return fmt::format("{}[{}]({})", text.substr(0, text.find('(')), size, text);
+}
+
+/// Formats GLSL. Writes values that are not integers or text as literals.
 template <typename... Values>
 std::string glsl(std::string_view text, const Values&... values) {
     const auto written = []<typename T>(const T& value) {
         if constexpr (std::is_integral_v<T> || std::is_convertible_v<T, std::string_view>)
             return value;
-        else if constexpr (requires { value.x; })
-            return literal(std::array{value.x, value.y});
         else
             return literal(value);
     };

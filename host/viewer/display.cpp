@@ -70,6 +70,17 @@ DisplayConstants colours_constants() {
     return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0, 0};
 }
 
+std::array<std::array<float, 4>, most_stops> stops_of(const Document& document) {
+    std::array<std::array<float, 4>, most_stops> stops{};
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const auto& [at, colour] = document.ramp[std::min(i, document.ramp.size() - 1)];
+        std::ranges::transform(
+            std::array{colour[0], colour[1], colour[2], at}, stops[i].begin(),
+            [](float part) { return std::round(255 * std::clamp(part, 0.0f, 1.0f)) / 255; });
+    }
+    return stops;
+}
+
 passes::DisplayPush display_push(const Document& document, double stride, double zoom) {
     passes::DisplayPush push{};
     push.stride = 1;
@@ -86,14 +97,12 @@ passes::DisplayPush display_push(const Document& document, double stride, double
     push.green = document.directx_normals ? -1.0f : 1.0f;
     push.turns = static_cast<float>(stripe_turns(document.request) / zoom);
     std::array<std::uint32_t, most_stops> stops{};
-    for (std::size_t i = 0; i < stops.size(); ++i) {
-        const ColourStop& stop = document.ramp[std::min(i, document.ramp.size() - 1)];
-        const auto byte = [](float part) {
-            return static_cast<std::uint32_t>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+    std::ranges::transform(stops_of(document), stops.begin(), [](const std::array<float, 4>& stop) {
+        const auto byte = [&](std::size_t part) {
+            return static_cast<std::uint32_t>(std::lround(255 * stop[part]));
         };
-        stops[i] = byte(stop.colour[0]) | byte(stop.colour[1]) << 8 | byte(stop.colour[2]) << 16 |
-                   byte(stop.at) << 24;
-    }
+        return byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+    });
     push.ramp_low = {stops[0], stops[1], stops[2], stops[3]};
     push.ramp_high = {stops[4], stops[5], stops[6], stops[7]};
     return push;

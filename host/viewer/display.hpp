@@ -24,6 +24,10 @@ DisplayConstants display_constants(const Document& document, std::span<const std
 /// Constants that show red, green and blue unchanged.
 DisplayConstants colours_constants();
 
+/// The stops of the document's colour map, filled up with its last one: red, green, blue and position,
+/// rounded to 8 bits.
+std::array<std::array<float, 4>, most_stops> stops_of(const Document& document);
+
 /// The push constants that depend on the document. `stride` is in pixels of the view per value, `zoom` in
 /// pixels of the view per pixel of the picture.
 passes::DisplayPush display_push(const Document& document, double stride, double zoom);

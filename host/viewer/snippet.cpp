@@ -14,10 +14,9 @@
 #include "passes/terrain_interface.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <utility>
 
 namespace gabor::viewer {
@@ -100,15 +99,9 @@ std::string axes_of(const View& view, passes::vec2 yaw, passes::vec2 pitch) {
     return view.shows_body() ? glsl("camera_axes({}, {})", yaw, pitch) : "flat_axes()";
 }
 
-// ---- The noise ----
-
 // GLSL for one of the noises: its place, and the function that returns its field, with the arguments that
 // describe its waves and {} for a filter.
-struct Term {
-    std::string place, field;
-};
-
-Term term_of(const View& view, const passes::PixelsWave& wave) {
+std::array<std::string, 2> term_of(const View& view, const passes::PixelsWave& wave) {
     const auto table = static_cast<std::size_t>(wave.table);
     const passes::Line x = view.table<passes::Line>(0)[table], y = view.table<passes::Line>(1)[table];
     const float ratio = wave.radius.y / wave.radius.x;
@@ -121,7 +114,7 @@ Term term_of(const View& view, const passes::PixelsWave& wave) {
                  wave.orientation, ratio == 1 ? "" : glsl(" * vec2(1.0, {})", ratio))};
 }
 
-Term term_of(const View& view, const passes::SolidWave& wave) {
+std::array<std::string, 2> term_of(const View& view, const passes::SolidWave& wave) {
     const bool surface = render::along_surface(view.request);
     const std::string direction = glsl("{}vec3({}, 0.0)", surface ? ", " : " * ", wave.direction);
     return {glsl("gabor_place_3d_at(p / {})", wave.radius),
@@ -139,15 +132,14 @@ std::string terms(const View& view, std::size_t table) {
                                                          : "_filtered(place, here.dx / {0}, here.dy / {0}";
     std::string text = glsl("    GaborPlace{} place;\n", view.in_space() ? "3d" : ""), place;
     for (const Wave& wave : view.table<Wave>(table)) {
-        const Term term = term_of(view, wave);
-        if (std::exchange(place, term.place) != term.place)
+        const auto [at, field] = term_of(view, wave);
+        if (std::exchange(place, at) != at)
             text +=
                 glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
-        const std::string noise = glsl("noise_of({}, {}u), {})", glsl(term.field, glsl(filter, wave.radius)),
-                                       wave.seed, wave.radius);
-        const auto& [a, b, c] = wave.weights;
+        const std::string noise =
+            glsl("noise_of({}, {}u), {})", glsl(field, glsl(filter, wave.radius)), wave.seed, wave.radius);
         text += view.request.colour
-                    ? glsl("    add_weighted(sum, {}, vec2[3]({}, {}, {}));\n", noise, a, b, c)
+                    ? glsl("    add_weighted(sum, {}, {});\n", noise, literal(std::to_array(wave.weights)))
                     : glsl("    add_noise(sum, {}, {});\n", noise, wave.amplitude);
     }
     return text;
@@ -174,18 +166,6 @@ std::string of_noise(const View& view) {
                 view.in_space() ? terms<passes::SolidWave>(view, 0)
                                 : footprint_of(view, sky) + terms<passes::PixelsWave>(view, 2),
                 seen);
-}
-
-// ---- Its colours ----
-
-// The stops of the user's colour map, whose positions have 8 bits, as in the window's shader.
-std::string stops_of(const View& view) {
-    std::vector<std::string> stops;
-    for (std::size_t i = 0; i < most_stops; ++i) {
-        const ColourStop& stop = view.ramp[std::min(i, view.ramp.size() - 1)];
-        stops.push_back(glsl("vec4({}, {})", stop.colour, std::round(255 * stop.at) / 255));
-    }
-    return glsl("vec4[8]({})", fmt::format("{}", fmt::join(stops, ", ")));
 }
 
 std::string stripes(const View& view, std::string_view noise) {
@@ -251,8 +231,6 @@ std::string of_colours(const View& view) {
                 head(view, "vec3 colour"), seen, colour);
 }
 
-// ---- Materials and terrain ----
-
 // A GLSL function that sets the material's parameters and evaluates it.
 std::string material_function(const View& view) {
     const render::Request& request = view.request;
@@ -260,27 +238,27 @@ std::string material_function(const View& view) {
     std::ranges::replace(function, '-', '_');
     for (std::size_t dash = 0; (dash = type.find('-', dash)) != std::string::npos;)
         type.replace(dash, 2, 1, static_cast<char>(std::toupper(static_cast<unsigned char>(type[dash + 1]))));
-    const std::string period =
+    const bool boards = request.boards;
+    const std::string seed = fmt::format("{}u", request.seed);
+    const std::string tile =
         render::is_tiled(request)
             ? literal(std::array{request.width / request.scale, request.height / request.scale})
             : "vec2(0.0)";
-    const auto material = [&](std::string_view p, std::string_view pixel, std::string_view tile,
-                              const std::string& seed) {
-        return glsl("gabor_{}{}_at({}{}, {}, m, {})", function, request.filter ? "_filtered" : "", p,
-                    request.filter ? pixel : "", tile, seed);
-    };
+    const std::string material =
+        glsl(request.filter ? "gabor_{0}_filtered_at({1}p, {1}dx, {1}dy, {2}, m, {1}{3})"
+                            : "gabor_{0}_at({1}p, {2}, m, {1}{3})",
+             function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed);
     return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
                 "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
                 "gabor_{}_default();\n{}",
                 type, function, members_of(view, render::Parameter::Group::material)) +
-           (request.boards ? glsl("    GaborBoards boards = gabor_boards_default();\n{}"
-                                  "    GaborBoard board = gabor_board(p, {}, {}, boards, {}u);\n"
-                                  "    return gabor_laid({}, board, boards);\n}}\n\n",
-                                  members_of(view, render::Parameter::Group::boards, "boards"),
-                                  request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", period, request.seed,
-                                  material("board.p", ", board.dx, board.dy", "vec2(0.0)", "board.seed"))
-                           : glsl("    return {};\n}}\n\n",
-                                  material("p", ", dx, dy", period, fmt::format("{}u", request.seed))));
+           (!boards ? ""
+                    : glsl("    GaborBoards boards = gabor_boards_default();\n{}"
+                           "    GaborBoard board = gabor_board(p, {}, {}, boards, {});\n",
+                           members_of(view, render::Parameter::Group::boards, "boards"),
+                           request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", tile, seed)) +
+           glsl("    return {};\n}}\n\n",
+                boards ? glsl("gabor_laid({}, board, boards)", material) : material);
 }
 
 // GLSL for the colour that each Look shows of the Sample `here`.
@@ -291,8 +269,8 @@ constexpr std::array<std::string_view, look_names.size()> looks_as{
 
 std::string material_snippet(const View& view) {
     const auto push = view.push<passes::MaterialPush>();
-    const bool lit = view.look == Look::lit;
-    const std::string sky = lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)";
+    const std::string sky =
+        view.look == Look::lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)";
     const std::string point =
         glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
