@@ -142,6 +142,7 @@ noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves
 // Larger differences are visible in most textures.
 constexpr double l1_limit = 0.2;
 constexpr double low_limit = 0.4;
+constexpr double low_power_limit = 0.001; // of the whole: 3 % of the deviation
 constexpr double autocorrelation_limit = 0.2;
 
 } // namespace
@@ -230,7 +231,7 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
         lines.push_back(fmt::format(
             "The noise differs visibly from the photograph: {} lobes cannot follow its spectrum (L1 {:.2f}).",
             fitted.waves.size(), error.l1));
-    if (error.low > low_limit)
+    if (error.low > low_limit && error.low * error.low_share > low_power_limit)
         lines.push_back(
             fmt::format("Large features may be too weak or too strong: the spectrum of waves longer "
                         "than {} pixels is off by {:.2f} (L1).",

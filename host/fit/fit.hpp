@@ -19,6 +19,7 @@ struct FitError {
                     ///< relative to the estimate
     double l2 = 0;  ///< root of the sum of squared differences of all cross-spectra, relative to the estimate
     double low = 0; ///< l1 for waves longer than 64 pixels, in the largest windows; 0 if none are larger
+    double low_share = 0;       ///< share of such waves in the power
     int furthest_lag = 0;       ///< largest lag compared, in pixels: about a quarter of the shorter side
     double autocorrelation = 0; ///< largest difference between autocorrelations up to that lag
     double chance = 0;          ///< standard error of an autocorrelation that is estimated from this exemplar

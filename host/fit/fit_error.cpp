@@ -87,6 +87,7 @@ FitError fit_error(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     if (scales.size() > 1) {
         const SpectrumRows low = low_rows(scales.back());
         error.low = low.sum(apart) / low.sum(power);
+        error.low_share = low.sum(power) / first.sum(power);
     }
 
     const Eigen::VectorXd weights = exemplar.components.colwise().squaredNorm();

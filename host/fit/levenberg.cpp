@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 namespace gabor::fit {
 
@@ -24,7 +25,8 @@ constexpr double largest_stretch = 99; // presets accept at most 100
 constexpr int functions = 5;
 
 // A spectrum on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
-// cross-spectra contain the sum of the two, the imaginary parts their difference.
+// cross-spectra contain the sum of the two, the imaginary parts their difference, which is empty for a single
+// channel.
 struct Parts {
     Eigen::MatrixXd sum;
     Eigen::MatrixXd difference;
@@ -32,24 +34,27 @@ struct Parts {
 
 void put(Parts& parts, Index column, const SpectrumScale& scale, const Eigen::ArrayXd& x,
          const Eigen::ArrayXd& y) {
-    const int grid = scale.grid;
+    const auto mirrored = [&](int k) { return k == 0 ? 0 : scale.grid - k; };
+    const bool several = parts.difference.size() > 0;
     Index at = scale.begin;
     for (const SpectrumScale::Frequency& k : scale.frequencies) {
         const double a = 0.5 * x[k.x] * y[k.y];
-        const double b = 0.5 * x[(grid - k.x) % grid] * y[(grid - k.y) % grid];
+        const double b = 0.5 * x[mirrored(k.x)] * y[mirrored(k.y)];
         parts.sum(at, column) = a + b;
-        parts.difference(at, column) = a - b;
+        if (several)
+            parts.difference(at, column) = a - b;
         ++at;
     }
 }
 
 // Returns one column for each wave or, with derivatives, `functions` columns. Each row is multiplied by the
-// weight of its frequency.
-Parts parts_of(const std::vector<Wave>& waves, const SpectrumScales& scales, bool with_derivatives,
-               const Eigen::ArrayXd& weight) {
+// weight of its frequency. Reuses the memory of `parts`.
+Parts parts_of(const std::vector<Wave>& waves, int channels, const SpectrumScales& scales,
+               bool with_derivatives, const Eigen::ArrayXd& weight, Parts parts = {}) {
     const Index each = with_derivatives ? functions : 1;
-    Parts parts{Eigen::MatrixXd(weight.size(), each * std::ssize(waves)),
-                Eigen::MatrixXd(weight.size(), each * std::ssize(waves))};
+    parts.sum.resize(weight.size(), each * std::ssize(waves));
+    if (channels > 1)
+        parts.difference.resize(weight.size(), parts.sum.cols());
     Index column = 0;
     for (const Wave& wave : waves) {
         for (const SpectrumScale& scale : *scales) {
@@ -68,7 +73,8 @@ Parts parts_of(const std::vector<Wave>& waves, const SpectrumScales& scales, boo
         column += each;
     }
     parts.sum.array().colwise() *= weight;
-    parts.difference.array().colwise() *= weight;
+    if (channels > 1)
+        parts.difference.array().colwise() *= weight;
     return parts;
 }
 
@@ -94,7 +100,8 @@ Eigen::MatrixXd products(const Parts& parts, const Eigen::MatrixXd& left, int ch
     const Index others = left.cols() - reals;
     Eigen::MatrixXd result(parts.sum.cols(), left.cols());
     result.leftCols(reals).noalias() = parts.sum.transpose() * left.leftCols(reals);
-    result.rightCols(others).noalias() = parts.difference.transpose() * left.rightCols(others);
+    if (others > 0)
+        result.rightCols(others).noalias() = parts.difference.transpose() * left.rightCols(others);
     return result;
 }
 
@@ -240,7 +247,8 @@ void add(Eigen::MatrixXd& spectra, const std::vector<Wave>& waves, const Parts& 
         const Index others = spectra.cols() - reals;
         const Eigen::RowVectorXd of = sign * stored(w * w.adjoint());
         spectra.leftCols(reals).noalias() += parts.sum.col(each * j) * of.head(reals);
-        spectra.rightCols(others).noalias() += parts.difference.col(each * j) * of.tail(others);
+        if (others > 0)
+            spectra.rightCols(others).noalias() += parts.difference.col(each * j) * of.tail(others);
     }
 }
 
@@ -276,7 +284,7 @@ TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
 
 Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
     Eigen::MatrixXd left = target.values;
-    add(left, waves, parts_of(waves, target.scales, false, target.weight), 1, -1);
+    add(left, waves, parts_of(waves, target.channels, target.scales, false, target.weight), 1, -1);
     return left;
 }
 
@@ -284,7 +292,8 @@ Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& w
 // the one with the largest eigenvalue.
 Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius) {
-    const Parts parts = parts_of({{frequency, radius, {}}}, target.scales, false, target.weight);
+    const Parts parts =
+        parts_of({{frequency, radius, {}}}, target.channels, target.scales, false, target.weight);
     const Eigen::RowVectorXd found = products(parts, left, target.channels);
     Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(target.channels, target.channels);
     Index at = 0;
@@ -303,7 +312,7 @@ Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen:
 
 Spectra model(const std::vector<Wave>& waves, int channels, const SpectrumScales& scales) {
     Spectra result(channels, scales);
-    const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.values.rows()));
+    const Parts parts = parts_of(waves, channels, scales, false, Eigen::ArrayXd::Ones(result.values.rows()));
     add(result.values, waves, parts, 1, 1);
     Index column = 0;
     for (const MatrixEntry& entry : entries(channels))
@@ -315,8 +324,10 @@ void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameter
     constexpr int most_trials = 6;
     const Index each = free == FreeParameters::all ? functions : 1;
     double lambda = 0.01;
+    Parts parts;
     for (int s = 0; s < steps; ++s) {
-        const Parts parts = parts_of(waves, target.scales, free == FreeParameters::all, target.weight);
+        parts = parts_of(waves, target.channels, target.scales, free == FreeParameters::all, target.weight,
+                         std::move(parts));
         Eigen::MatrixXd left = target.values;
         add(left, waves, parts, each, -1);
         const double cost = left.squaredNorm();

@@ -60,14 +60,14 @@ class FitTest(ProgramTest):
         self.assert_numbers(HERE / "fits.txt", texts)
 
     def test_grey_photographs(self):
-        for name, l1_most, l2_most in (("grass", 0.06, 0.05), ("gravel", 0.06, 0.05), ("brick", 0.06, 0.08)):
+        for name, l1_most, l2_most in (("grass", 0.06, 0.05), ("brick", 0.06, 0.08)):
             try:
                 path = photograph(name)
             except OSError as error:
                 self.skipTest(str(error))
             fitted = self.fit(str(path))
             self.assertLessEqual(len(fitted["lobes"]), 16)
-            self.assertIn("edges or objects", self.said) # blades, stones, bricks
+            self.assertIn("edges or objects", self.said) # blades, bricks
             exemplar = without_trend(read_grey_png(path)[..., None] / 255.0)
             fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # no histogram: it changes the spectrum (brick: L1 0.03)
             (self.folder / "fit.json").write_text(json.dumps(fitted))
@@ -83,7 +83,10 @@ class FitTest(ProgramTest):
     def test_colours(self):
         exemplar = colour_noise(512)
         write_png(self.folder / "colour.png", exemplar)
-        fitted = self.fit("colour.png", "--lobes", "8")
+        fitted = self.fit("colour.png", "--lobes", "8", "--glsl", "sea.glsl")
+        for words in ("edges or objects", "differs visibly", "repeats", "Large features"):
+            self.assertNotIn(words, self.said)
+        self.assertLessEqual((self.folder / "sea.glsl").read_text().count("\n"), 50)
         self.assertEqual(len(fitted["colour"]["weights"]), len(fitted["lobes"]))
         drawn = self.render("--size", "1024x1024")
         self.assertEqual(list(drawn.channels), ["B", "G", "R"])
@@ -300,13 +303,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertIn("Large features", self.said)
         self.assertNotIn("edges or objects", self.said)
         write_png(self.folder / "noise.png", colour_noise(256))
-        written = self.fit("noise.png", "--glsl", "sea.glsl")
-        for words in ("edges or objects", "differs visibly", "repeats", "Large features"):
-            self.assertNotIn(words, self.said)
-        glsl = (self.folder / "sea.glsl").read_text()
-        self.assertLessEqual(glsl.count("\n"), 34 + len(written["lobes"]))  # at most fifty lines
-        written = self.fit("noise.png", "--lobes", "1")
-        self.assertNotIn("NaN", json.dumps(written))
+        self.assertNotIn("NaN", json.dumps(self.fit("noise.png", "--lobes", "1")))
 
     def test_wrong_pictures_are_refused(self):
         write_png(self.folder / "narrow.png", colour_noise(160)[:, :96])
