@@ -82,26 +82,31 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
     return place;
 }
 
-// Returns the noise at a pixel.
-noise::Field<2> expected(const render::Request& request, const std::vector<noise::SpectrumLobe>& terms, int x,
-                         int y) {
+// Returns a function of a pixel: its noise.
+auto expected(const render::Request& request, const std::vector<noise::SpectrumLobe>& terms) {
     double power = 0;
     for (const noise::SpectrumLobe& term : terms)
         power += term.power;
-    noise::Field<2> sum;
+    std::vector<std::function<noise::Field<2>(const noise::Place<2>&)>> noises;
+    const auto add = [&](const auto& noise) {
+        noises.emplace_back([noise](const noise::Place<2>& place) { return noise.field(place); });
+    };
     for (const noise::SpectrumLobe& term : terms) {
         noise::Vector<2> wave = noise::wave_along(term.frequency, term.orientation);
         for (std::size_t axis = 0; axis < 2; ++axis)
             wave[axis] *= term.radius[axis];
-        const noise::Place<2> place = place_of(request, {x, y}, term.radius);
-        sum.add(std::sqrt(term.power / power),
-                request.recipe.is_lattice()
-                    ? noise::wave_noise(request.recipe.taps, wave, term.seed).field(place)
-                    : noise::Reference(request.recipe, noise::length(wave), term.orientation, term.seed)
-                          .field(place),
-                term.radius);
+        if (request.recipe.is_lattice())
+            add(noise::wave_noise(request.recipe.taps, wave, term.seed));
+        else
+            add(noise::Reference(request.recipe, noise::length(wave), term.orientation, term.seed));
     }
-    return sum;
+    return [&request, terms, noises, power](int x, int y) {
+        noise::Field<2> sum;
+        for (std::size_t i = 0; i < terms.size(); ++i)
+            sum.add(std::sqrt(terms[i].power / power), noises[i](place_of(request, {x, y}, terms[i].radius)),
+                    terms[i].radius);
+        return sum;
+    };
 }
 
 // Compares a region with the reference. The tolerance covers the phase's rounding in single precision and, at
@@ -118,11 +123,12 @@ void compare(test::Largest& largest, const vulkan::Device& device, const render:
     const double tolerance =
         1.5e-5 * std::max({1.0, highest / 4, request.recipe.phases == 2 ? 0.1 / highest : 0});
     const double of_slopes = tolerance * (2 * pi * highest + 2);
+    const auto expected_at = expected(request, terms);
     auto value = pixels.begin();
     for (int i = 0; i < region.width * region.height; ++i) {
         const int x = region.x + i % region.width;
         const int y = region.y + i / region.width;
-        const noise::Field<2> field = expected(request, terms, x, y);
+        const noise::Field<2> field = expected_at(x, y);
         for (const std::string& channel : channels) {
             const auto see = [&](double wanted, double within) {
                 largest.see(*value, wanted, within,
@@ -258,13 +264,15 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
                 [&](std::span<const float> rows) { pixels.insert(pixels.end(), rows.begin(), rows.end()); });
             REQUIRE(blocks.size() == 3u * 17 * 12);
             REQUIRE(pixels.size() == blocks.size());
-            const std::vector<noise::SpectrumLobe> terms = terms_of(request);
+            std::vector<decltype(expected(request, {}))> terms;
+            for (const noise::SpectrumLobe& term : terms_of(request))
+                terms.push_back(expected(request, {term}));
             for (int i = 0; i < region.width * region.height; ++i) {
                 const int x = region.x + i % region.width;
                 const int y = region.y + i / region.width;
                 std::array<double, 3> components{};
                 for (std::size_t lobe = 0; lobe < terms.size(); ++lobe) {
-                    const std::complex<double> noise = expected(request, {terms[lobe]}, x, y).value;
+                    const std::complex<double> noise = terms[lobe](x, y).value;
                     for (std::size_t c = 0; c < 3; ++c)
                         components[c] += colour.weights[lobe][c].quadrature * noise.real() +
                                          colour.weights[lobe][c].noise * noise.imag();
