@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gabor::noise {
 
@@ -89,11 +90,10 @@ Field<2> Reference::field(const Place<2>& place) const {
             }
         }
     }
-    const bool still = place.time == 0 || recipe_.phases != 2;
-    const double deviation =
-        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, place.time));
+    if (std::exchange(time_, place.time) != place.time)
+        deviation_ = std::sqrt(variance(recipe_, frequency_, orientation_, time_));
     // The variance is proportional to the number of impulses per unit area.
-    const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
+    const double scale = recipe_.radius / (deviation_ * std::sqrt(radius_x * radius_y));
     Field<2> scaled;
     scaled.add(scale, sum);
     return scaled;

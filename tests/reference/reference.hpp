@@ -29,7 +29,8 @@ class Reference {
     Recipe recipe_;
     double frequency_;
     double orientation_;
-    double deviation_;
+    mutable double time_ = 0;  // of the last place
+    mutable double deviation_; // at that time
     std::uint32_t seed_;
 };
 
