@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace gabor::render {
@@ -56,7 +57,10 @@ struct Maps {
     // Beyond an edge, a tile wraps around, and other maps repeat the nearest pixel.
     double height_at(int x, int y) {
         const auto within = [this](int i, int side) {
-            return tiled ? (i % side + side) % side : std::clamp(i, 0, side - 1);
+            if (!tiled)
+                return std::clamp(i, 0, side - 1);
+            const int rest = i % side;
+            return rest < 0 ? rest + side : rest;
         };
         return double{at(within(x, width), within(y, height))[height_channel]};
     }
@@ -82,8 +86,8 @@ struct Maps {
         for (const auto& [dx, dy] : directions) {
             double steepest = 0;
             for (int step = 1; step <= 32; step *= 2)
-                steepest = std::max(steepest, (height_at(x + step * dx, y + step * dy) - here) * scale /
-                                                  (step * std::hypot(dx, dy)));
+                steepest = std::max(steepest, (height_at(x + step * dx, y + step * dy) - here) / step);
+            steepest *= scale / (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1);
             open += 1 / (1 + steepest * steepest) / static_cast<double>(directions.size());
         }
         at(x, y)[occlusion_channel] = static_cast<float>(open);
