@@ -63,7 +63,8 @@ class Ocean(ProgramTest):
         self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=2", "--time=3")
         times = [Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2)]
         np.testing.assert_allclose(times, (3, 3.04))
-        self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=4", "--loop=32")  # which they share
+        said = self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=4", "--loop=32")  # which they share
+        print(said)
         self.assertEqual([Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2, 4)], [0, 8, 24])
 
     def test_a_swell_adds_its_height_and_a_loop_repeats(self):

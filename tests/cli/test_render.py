@@ -87,10 +87,10 @@ class Regions(RenderTest):
         some, many = [(21, 13, 33, 17)], [(0, 0, 1, 1), (2499, 3999, 1, 1), (1, 1700, 2499, 333), (777, 13, 9, 3987)]
         wave = {"scale": 20, "frequency": 3, "orientation": 20}
         for size, regions, flags, options in (
-                ("201x157", [(13, 7, 101, 33), (0, 0, 1, 1), (200, 156, 1, 1), (77, 0, 1, 157), (0, 99, 201, 1), (0, 0, 201, 157)],
+                ("201x157", [(13, 7, 101, 33), (200, 156, 1, 1), (77, 0, 1, 157), (0, 99, 201, 1)],
                  [], {"scale": 9.3, "orientation": 20}),
                 ("65536x1", [(65535, 0, 1, 1), (40001, 0, 999, 1)], [], {}),
-                ("1x65536", [(0, 65535, 1, 1), (0, 40001, 1, 999)], [], {}),
+                ("1x9999", [(0, 9998, 1, 1), (0, 4001, 1, 999)], [], {}),
                 ("2500x4000", many, [], wave),
                 *(("81x67", some, [], {"recipe": recipe, **wave}) for recipe in ("lattice-2", "lattice-4", "one")),
                 *(("81x67", some, flags, {"lobes": "lobes.json", "scale": 12}) for flags in ([], ["--phasor"], ["--filter"], ["--tileable"])),
@@ -128,7 +128,7 @@ class Like(RenderTest):
                                               "orientation": np.full((2, 2), 40, "<f4")})
         (self.folder / "lobes.json").write_text(json.dumps(LOBES[:3]))
         every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
-                 ["--frequency-spread=0.25", "--orientation-spread=30"], ["--filter"],
+                 ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
                  ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.width=0.8"]]
         unlike = set()
@@ -146,8 +146,8 @@ class Like(RenderTest):
 
     def test_options_override_it(self):
         self.render(output="made.exr", **SMALL)
-        for change in ({"size": "30x20"}, {"scale": 10}, {"frequency": 2}, {"orientation": 31}, {"seed": 8},
-                       {"recipe": "paper"}, {"region": "1,2,3,4"}):
+        for change in ({"size": "30x20", "frequency": 2, "seed": 8}, {"scale": 10, "orientation": 31, "region": "1,2,3,4"},
+                       {"recipe": "paper"}):
             with self.subTest(**change):
                 changed = self.render(like="made.exr", **change)
                 expected = self.render(output="expected.exr", **{**SMALL, **change})
@@ -210,12 +210,13 @@ class Periods(RenderTest):
         write_exr(self.folder / "paint.exr", {"frequency": paint, "orientation": paint})
         (self.folder / "lobes.json").write_text('[{"frequency": 2}, {"frequency": 30, "orientation": 60}, {"frequency": 9}]')
         fast = ["--scale=40", "--frequency=24"]
-        for options, warned in ((["--scale=40", "--frequency=16"], None), (["--scale=40", "--frequency=16", "--frequency-spread=0.5"], "0.6"),
-                                (fast, "0.6"), ([*fast, "--orientation=45"], None), ([*fast, "--orientation=45", "--orientation-spread=3"], "0.6"),
+        for options, warned in ((["--scale=40", "--frequency=16", "--frequency-spread=0.5"], "0.6"), ([*fast, "--orientation=90"], "0.6"),
+                                ([*fast, "--orientation=45"], None), ([*fast, "--orientation=45", "--orientation-spread=3"], "0.6"),
                                 ([*fast, "--orientation=200"], "0.564"), (["--scale=40", "--lobes=lobes.json"], "0.65"), ([*fast, "--filter"], None),
                                 ([*fast, "--view=slice"], None), (["--paint=paint.exr"], None)):
             result = gabor("render", "-o", "out.exr", "--size=8x8", *options, cwd=self.folder)
-            self.assertEqual((result.returncode, re.findall("is (.*) cycles per pixel", result.stderr)), (0, [warned] if warned else []), options)
+            self.assertEqual(result.returncode, 0)
+            self.assertRegex(result.stderr, rf"\Agabor: warning: .* is {warned} cycles per pixel.*\n\Z" if warned else r"\A\Z", options)
 
     def test_time_is_periodic(self):
         at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
@@ -227,31 +228,23 @@ class Periods(RenderTest):
 
 class Noise(RenderTest):
     def test_extremes_are_finite(self):
-        for scale, frequency in [(2, 0.001), (2, 1), (4096, 0.001), (4096, 1024)]:
-            for orientation in (-36000, 36000):
-                exr = self.render(size="64x64", scale=scale, frequency=frequency, orientation=orientation)
-                self.assertLess(np.abs(exr.pixels).max(), 12) # also fails for NaN
-
-    def test_a_warning_if_the_frequency_exceeds_the_limit_of_the_picture(self):
-        for angle in 0, 90:
-            result = gabor("render", "-o", "out.exr", "--size=16x16", "--scale=8", "--frequency=4.1",
-                           f"--orientation={angle}", cwd=self.folder)
-            self.assertEqual(result.returncode, 0)
-            self.assertRegex(result.stderr, r"\Agabor: warning: [^\n]*0\.5[^\n]*\n\Z")
-        self.render(size="16x16", scale=8, frequency=4.1, orientation=45) # within the limit on both axes
+        for scale, frequency, orientation in [(2, 0.001, -36000), (2, 1, 36000), (4096, 0.001, 36000), (4096, 1024, -36000)]:
+            exr = self.render(size="64x64", scale=scale, frequency=frequency, orientation=orientation)
+            self.assertLess(np.abs(exr.pixels).max(), 12) # also fails for NaN
 
 
 class Compression(RenderTest):
     def test_pixels_are_those_of_an_uncompressed_file(self):
         """`join`, which writes without compression, reads back what other programs would."""
         write_exr(self.folder / "map.exr", {"Y": np.pad(np.random.default_rng(1).random((40, 40), "f4"), ((0, 80), (0, 80)))})
-        for command in (["render", "--view=sphere", "--size=96x64"], ["erode", "map.exr", "--extent=10", "--nodata=0"],
-                        ["render", "--material=scratches", "--size=64x64", "--maps=maps"]):
+        every = [*enumerate(("none", "rle", "zips", "zip", "piz"))]
+        for command, methods in ((["erode", "map.exr", "--extent=10", "--nodata=0"], every), (["render", "--view=horizon", "--size=96x64"], every[3:]),
+                                 (["render", "--material=scratches", "--size=64x64", "--maps=maps"], every[3:4])):
             output = [] if "--maps=maps" in command else ["-o", "plain.exr"]
             self.succeed(*command, *output)
             path = self.folder / (output[1] if output else "maps/maps.exr")
             plain, size = Exr(path).channels, path.stat().st_size
-            for number, name in enumerate(("none", "rle", "zips", "zip", "piz")):
+            for number, name in methods:
                 with self.subTest(command=command, compression=name):
                     self.succeed(*command, *output, f"--compression={name}")
                     data = path.read_bytes()
@@ -288,8 +281,7 @@ class Messages(RenderTest):
         for options, said in ((["-o", "a.png", "--material=scratches"], "a.png: 12 x 8 pixels, material scratches"),
                               (["--heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
                               (["--png=c.png", "--heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
-                              (["-o", "e.exr", "--png=f.png", "--view=ocean"], "e.exr: 12 x 8 pixels, ocean"),
-                              (["-o", "g.exr", "--view=slice"], "g.exr: 12 x 8 pixels, recipe lattice"),
+                              (["-o", "e.exr", "--png=f.png", "--view=slice"], "e.exr: 12 x 8 pixels, recipe lattice"),
                               (["--maps=h", "--material=scratches"], "h: maps of 12 x 8 pixels, material scratches")):
             self.assertEqual(self.succeed("render", "--size=12x8", "--device=0", *options), f"{said}, on {name}\n")
 
