@@ -177,13 +177,13 @@ class Maps(RenderTest):
             facts = json.loads((self.folder / "set/material.json").read_text())
             return *facts["pixels"], facts["tileable"], Exr(self.folder / "set/maps.exr").parameters["scale"]
 
-        self.assertEqual(described("--material=wood"), (2048, 2048, True, 512))
+        self.assertEqual(described("--view=terrain", "--octaves=0"), (2048, 2048, True, 256))
+        self.assertEqual(described("--material=wood", "--size=64"), (64, 64, True, 16))
         self.assertEqual(described("--material=wood", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
         self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
-        self.assertEqual(described("--view=terrain", "--size=64x32"), (64, 32, True, 4))
         width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
         self.assertEqual(described("--preset=walnut", "--size=64x32"), (64, 32, True, scale * 32 / min(width, height)))
-        self.assertEqual(described("--preset=walnut", "--size=64x32", "--scale=9"), (64, 32, True, 9))
+        self.assertEqual(described("--preset=walnut", "--size=32", "--scale=9"), (32, 32, True, 9))
         self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
         self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
 

@@ -64,7 +64,7 @@ class Ocean(ProgramTest):
         times = [Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2)]
         np.testing.assert_allclose(times, (3, 3.04))
         said = self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=4", "--loop=32")  # which they share
-        print(said)
+        self.assertTrue(said.startswith("out.0001.exr: 8 x 8 pixels, ocean, on "), said)
         self.assertEqual([Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2, 4)], [0, 8, 24])
 
     def test_a_swell_adds_its_height_and_a_loop_repeats(self):
