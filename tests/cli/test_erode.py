@@ -1,6 +1,7 @@
 """Checks that `gabor erode` adds gullies to heightmaps of every format, that regions match the whole, and that tiles have no
 seams."""
 
+import itertools
 import json
 import pathlib
 import unittest
@@ -80,7 +81,7 @@ class Erode(ProgramTest):
 
     def test_bands_do_not_show(self):
         """Compares a map of several bands with a part of it that fits in one."""
-        write_exr(self.folder / "wide.exr", {"Y": np.tile(hills(1024, 64), (24, 8))})
+        write_exr(self.folder / "wide.exr", {"Y": np.tile(hills(1024, 64), (6, 8))})
         whole = self.eroded(map="wide.exr")
         part = self.eroded("--region=100,200,64,64", map="wide.exr")
         for name, values in whole.items():
@@ -226,13 +227,13 @@ class Erode(ProgramTest):
         def base(*options):
             return self.eroded("--octaves=0", "--extent=8", *options, map="map.tif")["height"]
         values = np.round(3000 * hills(96, 70)) - 1000
-        for kind in "<i2", ">i2", "<f4", ">f4", "<u2", ">u2":
-            for tile in None, (16, 32), (128, 128):
-                for deflate in False, True:
-                    wanted = values + 1000 if "u" in kind else values
-                    write_tiff(self.folder / "map.tif", wanted.astype(kind), tile, deflate)
-                    found = base("--elevation=0,65535") if "u" in kind else base()
-                    np.testing.assert_allclose(found, wanted, rtol=1e-6, err_msg=f"{kind} {tile} {deflate}")
+        layouts = [*itertools.product((None, (16, 32), (128, 128)), (False, True))]
+        for number, kind in enumerate(("<i2", ">i2", "<f4", ">f4", "<u2", ">u2")):
+            for tile, deflate in layouts[number], layouts[number - 3]:
+                wanted = values + 1000 if "u" in kind else values
+                write_tiff(self.folder / "map.tif", wanted.astype(kind), tile, deflate)
+                found = base("--elevation=0,65535") if "u" in kind else base()
+                np.testing.assert_allclose(found, wanted, rtol=1e-6, err_msg=f"{kind} {tile} {deflate}")
         levels = PIL.Image.fromarray((values + 1000).astype("<u2"))
         for compression in "packbits", "tiff_lzw", "tiff_adobe_deflate":
             levels.save(self.folder / "map.tif", compression=compression, tiffinfo={317: 2})  # differences

@@ -69,9 +69,9 @@ class Help(ProgramTest):
     def test_leaving_an_option_out_is_the_same_as_giving_its_default(self):
         write_exr(self.folder / "map.exr", {"Y": np.random.default_rng(1).random((24, 24), "f4")})
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
-        which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom"), ["--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
-                 **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
-                 **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": ["--view=terrain"], "--cover": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
+        terrain = ["--view=terrain", "--heightmap=out.png"]
+        which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
+                 **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
         for command, number in ("render", 37), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]

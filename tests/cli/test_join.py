@@ -49,8 +49,8 @@ class Joined(JoinTest):
         for rows in (63, 64, 65):  # at this width 64 rows fill a band
             wide = [f"--size=65536x{rows}", "--scale=8"]
             self.render("whole.exr", *wide)
-            for tiling in ([(0, 0, 65536, 1), (0, 1, 65536, rows - 1)], [(0, 0, 65536, rows - 1), (0, rows - 1, 65536, 1)],
-                           [(0, 0, 32768, rows), (32768, 0, 32768, rows)]):
+            others = [[(0, 0, 65536, 1), (0, 1, 65536, rows - 1)], [(0, 0, 32768, rows), (32768, 0, 32768, rows)]]
+            for tiling in [[(0, 0, 65536, rows - 1), (0, rows - 1, 65536, 1)], *(others if rows == 65 else [])]:
                 regions = [self.render(f"region{i}.exr", *wide, f"--region={','.join(map(str, window))}")
                            for i, window in enumerate(tiling)]
                 self.succeed("join", *regions, "-o", "joined.exr")
