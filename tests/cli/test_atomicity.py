@@ -29,13 +29,16 @@ def catches(process, number):
 
 
 class Atomicity(ProgramTest):
+    complete, duration = {}, 0.0 # the files of a complete run, and how long it takes
+
     def setUp(self):
         super().setUp()
         self.random = random.Random(7)
-        began = time.monotonic()
-        self.succeed(*REQUEST)
-        self.duration = time.monotonic() - began
-        self.complete = self.files()
+        if not self.complete:
+            began = time.monotonic()
+            self.succeed(*REQUEST)
+            type(self).duration = time.monotonic() - began
+            self.complete.update(self.files())
 
     def moment(self):
         """Returns a random time during a run. Half of these times are near its end, when the files appear."""
@@ -87,7 +90,7 @@ class Atomicity(ProgramTest):
 
     def check_interrupts(self, number):
         ended = 0
-        for turn in range(ROUNDS):
+        for turn in range(max(ROUNDS // 2, 1)): # both signals have one handler
             status, stderr, complete = self.interrupt(number, 1, turn)
             if status == 0: # too late: the file was being closed
                 self.assertEqual((stderr, len(complete)), ("", len(self.complete)))

@@ -62,22 +62,22 @@ class Spectra(SpectraTest):
         self.assertLess(np.abs(read_colour_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
 
     def test_slopes_that_face_the_light_are_bright(self):
-        for options in ({"material": "leather", "scale": 128}, {"view": "terrain"}):
-            for axis, azimuths in (("x", (0, 180)), ("y", (90, -90))):
-                for sign, azimuth in zip((-1, 1), azimuths):
-                    channels = self.render(size="64x64", light_azimuth=azimuth, light_elevation=30, **options).channels
-                    alike = np.corrcoef((channels["lit.G"] / channels["G"]).ravel(), channels[f"slope.{axis}"].ravel())[0, 1]
-                    self.assertGreater(sign * alike, 0.25, (options, azimuth))
+        for options, lights in (({"material": "leather", "scale": 128}, (("x", -1, 0), ("y", 1, -90))),
+                                ({"view": "terrain"}, (("x", 1, 180), ("y", -1, 90)))):
+            for axis, sign, azimuth in lights:
+                channels = self.render(size="64x64", light_azimuth=azimuth, light_elevation=30, **options).channels
+                alike = np.corrcoef((channels["lit.G"] / channels["G"]).ravel(), channels[f"slope.{axis}"].ravel())[0, 1]
+                self.assertGreater(sign * alike, 0.25, (options, azimuth))
         self.assert_refused(["--light-azimuth", "a material, terrain or the ocean view"], "render", "-o", "out.exr", "--light-azimuth=30")
 
     def test_the_light_of_an_overcast_sky_equals_its_integral(self):
         """Compares the sky's light with a sum over the hemisphere above each pixel's normal. In the dark environment,
         only the lamp shines."""
-        rough = {"material": "fabric", "fabric.roughness": 1, "size": "24x24", "scale": 24}
+        rough = {"material": "fabric", "fabric.roughness": 1, "size": "12x12", "scale": 12}
         sky, dark = (self.render(environment=each, **rough).channels for each in ("overcast", "dark"))
         cosine, turn = np.meshgrid((np.arange(400) + 0.5) / 400, 2 * np.pi * (np.arange(200) + 0.5) / 200)
         sine = np.sqrt(1 - cosine ** 2)
-        for y, x in np.ndindex(24, 24):
+        for y, x in np.ndindex(12, 12):
             normal = np.array([-sky["slope.x"][y, x], -sky["slope.y"][y, x], 1])
             normal /= np.linalg.norm(normal)
             up = cosine * normal[2] + sine * np.cos(turn) * np.hypot(*normal[:2])
@@ -133,14 +133,12 @@ class Spectra(SpectraTest):
 class Filter(SpectraTest):
     def test_it_works_with_time_and_tiles(self):
         # The filter changes noise of this scale by at most 2 %; a larger difference means that it ignores time or tiles.
-        options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
-        for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
-            with self.subTest(more):
-                plain = self.render(*more, output="plain.exr", **options).pixels
-                error = self.render("--filter", *more, **options).pixels - plain
-                self.assertLess(np.sqrt(np.mean(error ** 2)), 0.04)
-                self.assertLess(np.abs(error).max(), 0.2)
-                self.assertGreater(plain.std(), 0.5)
+        options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5, "time": 0.3}
+        plain = self.render("--tileable", output="plain.exr", **options).pixels
+        error = self.render("--tileable", "--filter", **options).pixels - plain
+        self.assertLess(np.sqrt(np.mean(error ** 2)), 0.04)
+        self.assertLess(np.abs(error).max(), 0.2)
+        self.assertGreater(plain.std(), 0.5)
 
     def test_each_channel_is_the_normal_filter_of_a_finer_picture(self):
         options = {"orientation": 40, "frequency": 1.2, "seed": 4}
@@ -226,10 +224,10 @@ class Space(SpectraTest):
         self.assertLess((measured * np.abs(y)).sum() / (measured * np.abs(x)).sum(), 0.25)
 
     def test_seeds_in_space_do_not_correlate(self):
-        for time in (0, 0.25, 0.5):
+        for time in (0, 0.25):
             values = np.array([self.render("--view=slice", size="256x256", scale=4, frequency=1, seed=seed, orientation_spread=90,
-                                           time=time).pixels.ravel() for seed in range(4)])
-            np.testing.assert_allclose(np.cov(values), np.eye(4), atol=0.05)
+                                           time=time).pixels.ravel() for seed in range(3)])
+            np.testing.assert_allclose(np.cov(values), np.eye(3), atol=0.05)
 
 
 class Channels(SpectraTest):
@@ -249,7 +247,7 @@ class Channels(SpectraTest):
         for recipe, options in (("lattice", ["--filter"]), ("lattice-4", ["--frequency-spread=0.2"]),
                                 ("one", ["--orientation-spread=90"]), ("paper", ["--lobes", self.write_lobes(LOBES)])):
             self.assertEqual(self.render(*options, size="64x64", recipe=recipe).parameters["recipe"], recipe)
-        for options in (["--view=slice"], ["--view=sphere"], ["--view=terrain"], ["--material=wood"]):
+        for options in (["--view=slice"], ["--view=terrain"], ["--material=wood"]):
             self.assertNotIn("recipe", self.render(*options, size="64x64").parameters)
 
     def test_uniform_paint_is_the_plain_noise(self):

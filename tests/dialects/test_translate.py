@@ -334,7 +334,8 @@ class Program(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             shutil.copytree(ROOT / "shaders" / "translations", folder, dirs_exist_ok=True)
             (pathlib.Path(folder) / "gabor_noise.hlsl").write_text("old")
-            said = subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "--check", "-o", folder], capture_output=True, text=True)
+            said = subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "--check", "-o", folder, ROOT / "shaders" / "gabor_noise.glsl"],
+                                  capture_output=True, text=True)
         self.assertEqual((said.returncode, said.stderr, re.findall(r"(\S+): not current", said.stdout)), (1, "", ["gabor_noise.hlsl"]))
         self.assertIn("gabor_noise.metal: current\n", said.stdout)
 
