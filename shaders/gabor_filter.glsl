@@ -178,7 +178,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
                                      GABOR_RADIUS);
     vec2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope, rows_slope;
+    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -387,7 +387,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge;
+        GaborFactors edge = GaborFactors(vec3(0.0), vec3(0.0));
         GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line);
         value += gabor_impl_contracted(row, window, weights);

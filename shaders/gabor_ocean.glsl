@@ -125,13 +125,13 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = vec3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop = loop > 0 ? 1 << int(log2(float(clamp(loop, 8, 4096))) + 0.01) : 0;
+    ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.01)) : 0;
     float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
     float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455, sharp = 1.1939225; // (2 pi)^4, ln 3.3
     int power = int(floor(log2(0.62 * peak / tick)));
     ocean.tail = vec2(0.00316, 0.00192) * ocean.wind + vec2(0.0, 0.003);
     for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
-        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0;
+        float low = float(((i & 1) == 0 ? 128u : 181u) << uint(power + i / 2)) / 128.0;
         bool remote = i == GABOR_OCEAN_BANDS;
         if (remote) { // the swell
             peak = 1.0 / ocean.swell.y;
@@ -256,7 +256,7 @@ void gabor_impl_float_by(int cell, float local, int exponent, int drift, int sec
     rest = -float(low & 32767) / 32768.0 - float(drift) / 32768.0 * fraction;
     int up = max(exponent, 0), down = max(-exponent, 0);
     whole += (cell >> up) << down;
-    rest += (float(cell & ((1 << up) - 1)) + local) * exp2(-float(exponent));
+    rest += (float(cell & (int(1u << uint(up)) - 1)) + local) * exp2(-float(exponent));
 }
 
 // The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
@@ -331,8 +331,8 @@ GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, ve
         gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
                             fraction, dx, dy, gabor_lobe_seed(seed, i > threes ? 12 : k)); // the swell is the same for any bands
     }
-    for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
-        int k = i == 0 ? 0 : i + threes;
+    for (int j = 0; j < GABOR_OCEAN_BANDS - threes; ++j) {
+        int k = j == 0 ? 0 : j + threes;
         gabor_impl_add_band(water, squeeze, ocean.band[k], false, wind, quantum, least, cell, local, second, fraction, dx, dy,
                             gabor_lobe_seed(seed, k));
     }

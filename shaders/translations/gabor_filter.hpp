@@ -183,7 +183,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
                                      GABOR_RADIUS);
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope, rows_slope;
+    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -392,7 +392,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge;
+        GaborFactors edge = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);

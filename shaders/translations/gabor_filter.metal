@@ -184,7 +184,7 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
                                      GABOR_RADIUS);
     float2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope, rows_slope;
+    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -393,7 +393,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge;
+        GaborFactors edge = GaborFactors{float3(0.0), float3(0.0)};
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);

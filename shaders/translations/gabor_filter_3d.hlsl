@@ -119,7 +119,7 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborM
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborFactors edge;
+            GaborFactors edge = GaborFactors_of((float3)(0.0), (float3)(0.0)); // unused
             GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
                                                        edge);
             GaborFactors window = gabor_impl_faded(row);
@@ -216,7 +216,7 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, Gabo
                                   GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
-    GaborAxis unused;
+    GaborAxis unused = x;
     gabor_impl_filter(x, pixel.diagonal.x, blurred.x, unused);
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);

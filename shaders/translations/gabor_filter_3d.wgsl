@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 8792fd41ae63499c.
+// naga 30.0.1 made it from GLSL with the digest ee8e6e82d464bd4e.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -223,148 +223,149 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
                     let _e224 = gabor_impl_fade(_e222, _e223);
                     let _e225 = gabor_impl_next_line(_e219, _e220, _e221, _e224);
                     row_9 = _e225;
-                    let _e227 = columns_5;
-                    let _e228 = row_9;
-                    let _e230 = slice_3;
-                    let _e232 = gabor_impl_slice_word(_e228.word, _e230.word);
-                    let _e236 = gabor_impl_filtered_row(_e227, _e232, place.moment, (&edge_3));
-                    sum_26 = _e236;
-                    let _e238 = row_9;
-                    let _e239 = gabor_impl_faded(_e238);
-                    window_5 = _e239;
-                    let _e241 = y_0_2;
-                    let _e242 = sum_26;
-                    let _e243 = window_5;
-                    let _e246 = window_5;
-                    let _e249 = gabor_impl_plus_product(_e241, _e242, _e243.real.x, _e246.imaginary.x);
-                    y_0_2 = _e249;
-                    let _e250 = y_1_2;
-                    let _e251 = sum_26;
-                    let _e252 = window_5;
-                    let _e255 = window_5;
-                    let _e258 = gabor_impl_plus_product(_e250, _e251, _e252.real.y, _e255.imaginary.y);
-                    y_1_2 = _e258;
-                    let _e259 = y_2_2;
-                    let _e260 = sum_26;
-                    let _e261 = window_5;
-                    let _e264 = window_5;
-                    let _e267 = gabor_impl_plus_product(_e259, _e260, _e261.real.z, _e264.imaginary.z);
-                    y_2_2 = _e267;
+                    edge_3 = GaborFactors(vec3(0f), vec3(0f));
+                    let _e232 = columns_5;
+                    let _e233 = row_9;
+                    let _e235 = slice_3;
+                    let _e237 = gabor_impl_slice_word(_e233.word, _e235.word);
+                    let _e241 = gabor_impl_filtered_row(_e232, _e237, place.moment, (&edge_3));
+                    sum_26 = _e241;
+                    let _e243 = row_9;
+                    let _e244 = gabor_impl_faded(_e243);
+                    window_5 = _e244;
+                    let _e246 = y_0_2;
+                    let _e247 = sum_26;
+                    let _e248 = window_5;
+                    let _e251 = window_5;
+                    let _e254 = gabor_impl_plus_product(_e246, _e247, _e248.real.x, _e251.imaginary.x);
+                    y_0_2 = _e254;
+                    let _e255 = y_1_2;
+                    let _e256 = sum_26;
+                    let _e257 = window_5;
+                    let _e260 = window_5;
+                    let _e263 = gabor_impl_plus_product(_e255, _e256, _e257.real.y, _e260.imaginary.y);
+                    y_1_2 = _e263;
+                    let _e264 = y_2_2;
+                    let _e265 = sum_26;
+                    let _e266 = window_5;
+                    let _e269 = window_5;
+                    let _e272 = gabor_impl_plus_product(_e264, _e265, _e266.real.z, _e269.imaginary.z);
+                    y_2_2 = _e272;
                 }
-                let _e268 = j_6;
-                let _e270 = (_e268 + 1i);
-                j_6 = _e270;
-                let _e271 = rows_3;
-                if !((_e270 < _e271)) {
+                let _e273 = j_6;
+                let _e275 = (_e273 + 1i);
+                j_6 = _e275;
+                let _e276 = rows_3;
+                if !((_e275 < _e276)) {
                     break;
                 }
             }
-            let _e274 = slice_3;
-            let _e275 = gabor_impl_faded(_e274);
-            along_z = _e275;
-            let _e277 = value_12;
-            let _e278 = y_0_2;
-            let _e279 = y_1_2;
-            let _e280 = y_2_2;
-            let _e281 = along_z;
-            let _e282 = w_3;
-            let _e283 = gabor_impl_contracted_3d(_e278, _e279, _e280, _e281, _e282);
-            value_12 = (_e277 + _e283);
-            let _e285 = next_x_1;
-            let _e286 = y_0_2;
-            let _e287 = gabor_impl_next(_e286);
-            let _e288 = y_1_2;
-            let _e289 = gabor_impl_next(_e288);
-            let _e290 = y_2_2;
-            let _e291 = gabor_impl_next(_e290);
-            let _e292 = along_z;
-            let _e293 = w_3;
-            let _e294 = gabor_impl_contracted_3d(_e287, _e289, _e291, _e292, _e293);
-            next_x_1 = (_e285 + _e294);
-            let _e296 = next_y_1;
-            let _e297 = y_1_2;
-            let _e298 = y_2_2;
-            let _e299 = none_1;
-            let _e300 = along_z;
-            let _e301 = w_3;
-            let _e302 = gabor_impl_contracted_3d(_e297, _e298, _e299, _e300, _e301);
-            next_y_1 = (_e296 + _e302);
-            let _e304 = next_z;
-            let _e305 = y_0_2;
-            let _e306 = y_1_2;
-            let _e307 = y_2_2;
-            let _e308 = along_z;
-            let _e309 = gabor_impl_next(_e308);
-            let _e310 = w_3;
-            let _e311 = gabor_impl_contracted_3d(_e305, _e306, _e307, _e309, _e310);
-            next_z = (_e304 + _e311);
+            let _e279 = slice_3;
+            let _e280 = gabor_impl_faded(_e279);
+            along_z = _e280;
+            let _e282 = value_12;
+            let _e283 = y_0_2;
+            let _e284 = y_1_2;
+            let _e285 = y_2_2;
+            let _e286 = along_z;
+            let _e287 = w_3;
+            let _e288 = gabor_impl_contracted_3d(_e283, _e284, _e285, _e286, _e287);
+            value_12 = (_e282 + _e288);
+            let _e290 = next_x_1;
+            let _e291 = y_0_2;
+            let _e292 = gabor_impl_next(_e291);
+            let _e293 = y_1_2;
+            let _e294 = gabor_impl_next(_e293);
+            let _e295 = y_2_2;
+            let _e296 = gabor_impl_next(_e295);
+            let _e297 = along_z;
+            let _e298 = w_3;
+            let _e299 = gabor_impl_contracted_3d(_e292, _e294, _e296, _e297, _e298);
+            next_x_1 = (_e290 + _e299);
+            let _e301 = next_y_1;
+            let _e302 = y_1_2;
+            let _e303 = y_2_2;
+            let _e304 = none_1;
+            let _e305 = along_z;
+            let _e306 = w_3;
+            let _e307 = gabor_impl_contracted_3d(_e302, _e303, _e304, _e305, _e306);
+            next_y_1 = (_e301 + _e307);
+            let _e309 = next_z;
+            let _e310 = y_0_2;
+            let _e311 = y_1_2;
+            let _e312 = y_2_2;
+            let _e313 = along_z;
+            let _e314 = gabor_impl_next(_e313);
+            let _e315 = w_3;
+            let _e316 = gabor_impl_contracted_3d(_e310, _e311, _e312, _e314, _e315);
+            next_z = (_e309 + _e316);
         }
-        let _e313 = k_2;
-        let _e315 = (_e313 + 1i);
-        k_2 = _e315;
-        let _e316 = slices;
-        if !((_e315 < _e316)) {
+        let _e318 = k_2;
+        let _e320 = (_e318 + 1i);
+        k_2 = _e320;
+        let _e321 = slices;
+        if !((_e320 < _e321)) {
             break;
         }
     }
-    let _e319 = next_x_1;
-    let _e321 = next_y_1;
-    let _e323 = next_z;
-    real_3 = vec3<f32>(_e319.x, _e321.x, _e323.x);
-    let _e327 = next_x_1;
-    let _e329 = next_y_1;
-    let _e331 = next_z;
-    imaginary_3 = vec3<f32>(_e327.y, _e329.y, _e331.y);
-    let _e336 = d_8;
-    quarter_1 = (vec3(0.012665148f) / _e336);
-    let _e340 = real_3;
-    let _e341 = c_6;
-    let _e343 = value_12;
-    let _e346 = quarter_1;
-    let _e349 = w_3;
-    let _e351 = real_3;
-    let _e352 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e349), _e351);
-    real_3 = (_e340 + (((wave + _e341) * _e343.x) + (_e346 * _e352)));
-    let _e356 = imaginary_3;
-    let _e357 = c_6;
-    let _e359 = value_12;
-    let _e362 = quarter_1;
-    let _e365 = w_3;
-    let _e367 = imaginary_3;
-    let _e368 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e365), _e367);
-    imaginary_3 = (_e356 + (((wave + _e357) * _e359.y) + (_e362 * _e368)));
-    let _e373 = c_6;
-    let _e375 = blurred_3;
-    let _e377 = d_8;
+    let _e324 = next_x_1;
+    let _e326 = next_y_1;
+    let _e328 = next_z;
+    real_3 = vec3<f32>(_e324.x, _e326.x, _e328.x);
+    let _e332 = next_x_1;
+    let _e334 = next_y_1;
+    let _e336 = next_z;
+    imaginary_3 = vec3<f32>(_e332.y, _e334.y, _e336.y);
+    let _e341 = d_8;
+    quarter_1 = (vec3(0.012665148f) / _e341);
+    let _e345 = real_3;
+    let _e346 = c_6;
+    let _e348 = value_12;
+    let _e351 = quarter_1;
+    let _e354 = w_3;
+    let _e356 = real_3;
+    let _e357 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e354), _e356);
+    real_3 = (_e345 + (((wave + _e346) * _e348.x) + (_e351 * _e357)));
+    let _e361 = imaginary_3;
+    let _e362 = c_6;
+    let _e364 = value_12;
+    let _e367 = quarter_1;
+    let _e370 = w_3;
+    let _e372 = imaginary_3;
+    let _e373 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e370), _e372);
+    imaginary_3 = (_e361 + (((wave + _e362) * _e364.y) + (_e367 * _e373)));
     let _e378 = c_6;
-    let _e379 = c_6;
-    exponent_2 = (19.739208f * (dot((wave + _e373), _e375) + dot(_e377, (_e378 * _e379))));
-    let _e386 = determinant_1;
+    let _e380 = blurred_3;
+    let _e382 = d_8;
+    let _e383 = c_6;
+    let _e384 = c_6;
+    exponent_2 = (19.739208f * (dot((wave + _e378), _e380) + dot(_e382, (_e383 * _e384))));
+    let _e391 = determinant_1;
     if false {
         local_45 = 1f;
     } else {
         local_45 = 1.125f;
     }
-    let _e397 = local_45;
-    let _e400 = exponent_2;
-    scale_3 = (sqrt(((8f / _e386) / _e397)) * exp(-(_e400)));
-    let _e405 = scale_3;
+    let _e402 = local_45;
+    let _e405 = exponent_2;
+    scale_3 = (sqrt(((8f / _e391) / _e402)) * exp(-(_e405)));
+    let _e410 = scale_3;
     if false {
         local_46 = 1f;
     } else {
         local_46 = 1.125f;
     }
-    let _e416 = local_46;
-    scale_3 = (_e405 / (1459955300000000000000000000f * _e416));
-    let _e419 = scale_3;
-    let _e420 = value_12;
+    let _e421 = local_46;
+    scale_3 = (_e410 / (1459955300000000000000000000f * _e421));
     let _e424 = scale_3;
-    let _e426 = real_3;
-    let _e428 = scale_3;
-    let _e429 = value_12;
-    let _e434 = scale_3;
-    let _e436 = imaginary_3;
-    return GaborField3d((_e419 * _e420.y), ((6.2831855f * _e424) * _e426), (_e428 * _e429.x), ((-6.2831855f * _e434) * _e436), 0f);
+    let _e425 = value_12;
+    let _e429 = scale_3;
+    let _e431 = real_3;
+    let _e433 = scale_3;
+    let _e434 = value_12;
+    let _e439 = scale_3;
+    let _e441 = imaginary_3;
+    return GaborField3d((_e424 * _e425.y), ((6.2831855f * _e429) * _e431), (_e433 * _e434.x), ((-6.2831855f * _e439) * _e441), 0f);
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
@@ -510,50 +511,52 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     turn_15 = _e65;
     let _e67 = gabor_impl_symmetric_3d(pixel, wave);
     blurred_4 = _e67;
-    let _e73 = blurred_4;
-    gabor_impl_filter((&x_19), pixel.diagonal.x, _e73.x, (&unused));
-    let _e81 = blurred_4;
-    gabor_impl_filter((&y_17), pixel.diagonal.y, _e81.y, (&unused));
-    let _e89 = blurred_4;
-    gabor_impl_filter((&z_10), pixel.diagonal.z, _e89.z, (&unused));
+    let _e69 = x_19;
+    unused = _e69;
+    let _e74 = blurred_4;
+    gabor_impl_filter((&x_19), pixel.diagonal.x, _e74.x, (&unused));
+    let _e82 = blurred_4;
+    gabor_impl_filter((&y_17), pixel.diagonal.y, _e82.y, (&unused));
+    let _e90 = blurred_4;
+    gabor_impl_filter((&z_10), pixel.diagonal.z, _e90.z, (&unused));
     if wanted {
         local_47 = 3i;
     } else {
         local_47 = 0i;
     }
-    let _e103 = local_47;
-    slices_1 = _e103;
+    let _e104 = local_47;
+    slices_1 = _e104;
     loop {
-        let _e107 = k_4;
-        let _e108 = slices_1;
-        if !((_e107 < _e108)) {
+        let _e108 = k_4;
+        let _e109 = slices_1;
+        if !((_e108 < _e109)) {
             break;
         }
         {
-            let _e116 = x_19;
-            let _e117 = y_17;
-            let _e118 = z_10;
-            gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e116, _e117, _e118, pixel.mixed, place.moment);
-            let _e129 = z_10.node[1];
-            z_10.node[0i] = _e129;
-            let _e136 = z_10.node[2];
-            z_10.node[1i] = _e136;
-            let _e143 = z_10.word[1];
-            z_10.word[0i] = _e143;
-            let _e150 = z_10.word[2];
-            z_10.word[1i] = _e150;
+            let _e117 = x_19;
+            let _e118 = y_17;
+            let _e119 = z_10;
+            gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e117, _e118, _e119, pixel.mixed, place.moment);
+            let _e130 = z_10.node[1];
+            z_10.node[0i] = _e130;
+            let _e137 = z_10.node[2];
+            z_10.node[1i] = _e137;
+            let _e144 = z_10.word[1];
+            z_10.word[0i] = _e144;
+            let _e151 = z_10.word[2];
+            z_10.word[1i] = _e151;
         }
         continuing {
-            let _e111 = k_4;
-            k_4 = (_e111 + 1i);
+            let _e112 = k_4;
+            k_4 = (_e112 + 1i);
         }
     }
-    let _e151 = sum_28;
-    let _e152 = slopes_5;
-    let _e155 = blurred_4;
-    let _e161 = turn_15;
-    let _e163 = gabor_impl_field_3d(_e151, _e152, (exp((-19.739208f * max(dot(wave, _e155), 0f))) * _e161), wave);
-    return _e163;
+    let _e152 = sum_28;
+    let _e153 = slopes_5;
+    let _e156 = blurred_4;
+    let _e162 = turn_15;
+    let _e164 = gabor_impl_field_3d(_e152, _e153, (exp((-19.739208f * max(dot(wave, _e156), 0f))) * _e162), wave);
+    return _e164;
 }
 
 fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wave: vec3<f32>, seed: u32) -> GaborField3d {

@@ -1085,9 +1085,9 @@ inline GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
-    for (int i = 4; i < 8; ++i) {
-        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
-        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(layer));
+    for (int j = 4; j < 8; ++j) {
+        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, j, gabor_impl_waves_pair(layer));
     }
     return material;
 }
@@ -1441,9 +1441,9 @@ inline GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, fl
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
-    for (int i = 4; i < 8; ++i) {
-        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
-        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(layer, pixel));
+    for (int j = 4; j < 8; ++j) {
+        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer, pixel));
     }
     return material;
 }
@@ -1498,9 +1498,9 @@ inline GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, floa
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
-    for (int i = 6; i < 8; ++i) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
-        if (i == 6) of.c = pair;
+    for (int j = 6; j < 8; ++j) {
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed), pixel);
+        if (j == 6) of.c = pair;
         else of.d = pair;
     }
     return gabor_impl_bark(bark, of);

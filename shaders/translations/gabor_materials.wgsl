@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 301541b2224cb749.
+// naga 30.0.1 made it from GLSL with the digest 0811d7f1e0f59962.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -2942,7 +2942,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     var i_21: i32 = 0i;
     var crystal_1: GaborPair;
     var material: GaborMaterial;
-    var i_22: i32 = 4i;
+    var j_6: i32 = 4i;
     var layer_9: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_27 = _e8;
@@ -2978,24 +2978,24 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     let _e38 = gabor_impl_marble(marble, _e36, _e37);
     material = _e38;
     loop {
-        let _e42 = i_22;
+        let _e42 = j_6;
         if !((_e42 < 8i)) {
             break;
         }
         {
-            let _e49 = i_22;
+            let _e49 = j_6;
             let _e50 = pixel_27;
             let _e51 = stone_3;
             let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
             layer_9 = _e52;
-            let _e55 = i_22;
+            let _e55 = j_6;
             let _e56 = layer_9;
             let _e57 = gabor_impl_waves_pair(_e56);
             gabor_impl_add_veins((&material), marble, _e55, _e57);
         }
         continuing {
-            let _e46 = i_22;
-            i_22 = (_e46 + 1i);
+            let _e46 = j_6;
+            j_6 = (_e46 + 1i);
         }
     }
     let _e59 = material;
@@ -3130,7 +3130,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     var dune_2: GaborWarped;
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
-    var i_24: i32 = 0i;
+    var i_23: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_30 = _e8;
     let _e10 = pixel_30;
@@ -3143,20 +3143,20 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     let _e18 = gabor_impl_no_pairs();
     of_9 = _e18;
     loop {
-        let _e22 = i_24;
+        let _e22 = i_23;
         if !((_e22 < 3i)) {
             break;
         }
         let _e30 = of_9;
-        let _e32 = i_24;
+        let _e32 = i_23;
         let _e33 = pixel_30;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
         let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
         of_9.a = _e36;
         continuing {
-            let _e26 = i_24;
-            i_24 = (_e26 + 1i);
+            let _e26 = i_23;
+            i_23 = (_e26 + 1i);
         }
     }
     let _e39 = pixel_30;
@@ -3280,7 +3280,7 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
     var pixel_32: GaborPixel;
     var of_12: GaborPairs;
     var layers: i32;
-    var i_27: i32 = 0i;
+    var i_26: i32 = 0i;
     var layer_11: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_32 = _e8;
@@ -3289,25 +3289,25 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
     let _e12 = gabor_impl_metal_layers(metal);
     layers = _e12;
     loop {
-        let _e16 = i_27;
+        let _e16 = i_26;
         let _e17 = layers;
         if !((_e16 < _e17)) {
             break;
         }
         {
-            let _e23 = i_27;
+            let _e23 = i_26;
             let _e24 = pixel_32;
             let _e25 = gabor_impl_metal_layer(_e23, _e24, metal, seed);
             layer_11 = _e25;
-            let _e28 = i_27;
+            let _e28 = i_26;
             let _e29 = layer_11;
             let _e30 = layer_11;
             let _e31 = gabor_impl_spots_pair(_e30);
             gabor_impl_add_metal((&of_12), _e28, _e29, _e31);
         }
         continuing {
-            let _e20 = i_27;
-            i_27 = (_e20 + 1i);
+            let _e20 = i_26;
+            i_26 = (_e20 + 1i);
         }
     }
     let _e33 = of_12;
@@ -3404,23 +3404,23 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
     var pixel_34: GaborPixel;
     var sum_23: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_30: i32 = 0i;
+    var i_29: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_34 = _e8;
     loop {
-        let _e23 = i_30;
+        let _e23 = i_29;
         if !((_e23 < 14i)) {
             break;
         }
-        let _e31 = i_30;
-        let _e32 = i_30;
+        let _e31 = i_29;
+        let _e32 = i_29;
         let _e33 = pixel_34;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
         gabor_impl_add_scratches((&sum_23), scratches, _e31, _e35);
         continuing {
-            let _e27 = i_30;
-            i_30 = (_e27 + 1i);
+            let _e27 = i_29;
+            i_29 = (_e27 + 1i);
         }
     }
     let _e37 = sum_23;
@@ -3678,7 +3678,7 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     var pixel_41: GaborPixel;
     var trunk_2: GaborWarped;
     var of_16: GaborPairs;
-    var i_33: i32 = 0i;
+    var i_32: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_41 = _e8;
     let _e10 = pixel_41;
@@ -3687,20 +3687,20 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     let _e13 = gabor_impl_no_pairs();
     of_16 = _e13;
     loop {
-        let _e17 = i_33;
+        let _e17 = i_32;
         if !((_e17 < 5i)) {
             break;
         }
         let _e25 = of_16;
-        let _e27 = i_33;
+        let _e27 = i_32;
         let _e28 = pixel_41;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_16.a = _e31;
         continuing {
-            let _e21 = i_33;
-            i_33 = (_e21 + 1i);
+            let _e21 = i_32;
+            i_32 = (_e21 + 1i);
         }
     }
     let _e34 = pixel_41;
@@ -3828,7 +3828,7 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     var pixel_44: GaborPixel;
     var rock_2: GaborWarped;
     var of_18: GaborPairs;
-    var i_35: i32 = 0i;
+    var i_34: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_44 = _e8;
     let _e10 = pixel_44;
@@ -3837,20 +3837,20 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     let _e13 = gabor_impl_no_pairs();
     of_18 = _e13;
     loop {
-        let _e17 = i_35;
+        let _e17 = i_34;
         if !((_e17 < 4i)) {
             break;
         }
         let _e25 = of_18;
-        let _e27 = i_35;
+        let _e27 = i_34;
         let _e28 = pixel_44;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_18.a = _e31;
         continuing {
-            let _e21 = i_35;
-            i_35 = (_e21 + 1i);
+            let _e21 = i_34;
+            i_34 = (_e21 + 1i);
         }
     }
     let _e34 = pixel_44;
@@ -3884,7 +3884,7 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     var pixel_45: GaborPixel;
     var board_5: GaborWarped;
     var of_19: GaborPairs;
-    var i_36: i32 = 0i;
+    var i_35: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_45 = _e6;
     let _e8 = pixel_45;
@@ -3893,19 +3893,19 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e11 = gabor_impl_no_pairs();
     of_19 = _e11;
     loop {
-        let _e15 = i_36;
+        let _e15 = i_35;
         if !((_e15 < 3i)) {
             break;
         }
-        let _e23 = i_36;
+        let _e23 = i_35;
         let _e24 = pixel_45;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
         let _e27 = pixel_45;
         gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
-            let _e19 = i_36;
-            i_36 = (_e19 + 1i);
+            let _e19 = i_35;
+            i_35 = (_e19 + 1i);
         }
     }
     let _e29 = pixel_45;
@@ -3920,7 +3920,7 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var cloth_6: GaborWarped;
     var count_10: vec2<f32>;
     var of_20: GaborPairs;
-    var i_37: i32 = 0i;
+    var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_46 = _e6;
     let _e8 = pixel_46;
@@ -3932,19 +3932,19 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e14 = gabor_impl_no_pairs();
     of_20 = _e14;
     loop {
-        let _e18 = i_37;
+        let _e18 = i_36;
         if !((_e18 < 4i)) {
             break;
         }
-        let _e26 = i_37;
+        let _e26 = i_36;
         let _e27 = cloth_6;
         let _e28 = count_10;
         let _e29 = gabor_impl_fabric_layer(_e26, _e27, _e28, seed);
         let _e30 = pixel_46;
         gabor_impl_add_filtered_spots((&of_20), _e29, _e30);
         continuing {
-            let _e22 = i_37;
-            i_37 = (_e22 + 1i);
+            let _e22 = i_36;
+            i_36 = (_e22 + 1i);
         }
     }
     let _e32 = pixel_46;
@@ -3960,7 +3960,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
     var cloth_7: GaborWarped;
     var count_11: vec2<f32>;
     var of_21: GaborPairs;
-    var i_38: i32 = 0i;
+    var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_47 = _e6;
     let _e8 = pixel_47;
@@ -3972,19 +3972,19 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
     let _e16 = gabor_impl_no_pairs();
     of_21 = _e16;
     loop {
-        let _e20 = i_38;
+        let _e20 = i_37;
         if !((_e20 < 2i)) {
             break;
         }
-        let _e28 = i_38;
+        let _e28 = i_37;
         let _e29 = cloth_7;
         let _e30 = count_11;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
         let _e32 = pixel_47;
         gabor_impl_add_filtered_spots((&of_21), _e31, _e32);
         continuing {
-            let _e24 = i_38;
-            i_38 = (_e24 + 1i);
+            let _e24 = i_37;
+            i_37 = (_e24 + 1i);
         }
     }
     let _e34 = pixel_47;
@@ -3999,7 +3999,7 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     var pixel_48: GaborPixel;
     var skin_5: GaborWarped;
     var of_22: GaborPairs;
-    var i_39: i32 = 0i;
+    var i_38: i32 = 0i;
     var a_18: GaborLayer;
     var b_18: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
@@ -4010,19 +4010,19 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     let _e11 = gabor_impl_no_pairs();
     of_22 = _e11;
     loop {
-        let _e15 = i_39;
+        let _e15 = i_38;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_39;
+        let _e23 = i_38;
         let _e24 = pixel_48;
         let _e25 = skin_5;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
         let _e27 = pixel_48;
         gabor_impl_add_filtered_spots((&of_22), _e26, _e27);
         continuing {
-            let _e19 = i_39;
-            i_39 = (_e19 + 1i);
+            let _e19 = i_38;
+            i_38 = (_e19 + 1i);
         }
     }
     let _e30 = pixel_48;
@@ -4053,9 +4053,9 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var pixel_49: GaborPixel;
     var stone_4: GaborWarped;
     var of_23: GaborPairs;
-    var i_40: i32 = 0i;
+    var i_39: i32 = 0i;
     var material_1: GaborMaterial;
-    var i_41: i32 = 4i;
+    var j_7: i32 = 4i;
     var layer_12: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_49 = _e6;
@@ -4065,19 +4065,19 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e11 = gabor_impl_no_pairs();
     of_23 = _e11;
     loop {
-        let _e15 = i_40;
+        let _e15 = i_39;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_40;
+        let _e23 = i_39;
         let _e24 = pixel_49;
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
         let _e27 = pixel_49;
         gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
-            let _e19 = i_40;
-            i_40 = (_e19 + 1i);
+            let _e19 = i_39;
+            i_39 = (_e19 + 1i);
         }
     }
     let _e29 = of_23;
@@ -4085,25 +4085,25 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
     material_1 = _e33;
     loop {
-        let _e37 = i_41;
+        let _e37 = j_7;
         if !((_e37 < 8i)) {
             break;
         }
         {
-            let _e44 = i_41;
+            let _e44 = j_7;
             let _e45 = pixel_49;
             let _e46 = stone_4;
             let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
             layer_12 = _e47;
-            let _e50 = i_41;
+            let _e50 = j_7;
             let _e51 = layer_12;
             let _e52 = pixel_49;
             let _e53 = gabor_impl_filtered_waves(_e51, _e52);
             gabor_impl_add_veins((&material_1), marble, _e50, _e53);
         }
         continuing {
-            let _e41 = i_41;
-            i_41 = (_e41 + 1i);
+            let _e41 = j_7;
+            j_7 = (_e41 + 1i);
         }
     }
     let _e55 = material_1;
@@ -4114,7 +4114,7 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     var pixel_50: GaborPixel;
     var dune_3: GaborWarped;
     var of_24: GaborPairs;
-    var i_42: i32 = 0i;
+    var i_40: i32 = 0i;
     var ripples_2: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_50 = _e6;
@@ -4124,19 +4124,19 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e11 = gabor_impl_no_pairs();
     of_24 = _e11;
     loop {
-        let _e15 = i_42;
+        let _e15 = i_40;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_42;
+        let _e23 = i_40;
         let _e24 = pixel_50;
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
         let _e27 = pixel_50;
         gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
-            let _e19 = i_42;
-            i_42 = (_e19 + 1i);
+            let _e19 = i_40;
+            i_40 = (_e19 + 1i);
         }
     }
     let _e30 = pixel_50;
@@ -4157,7 +4157,7 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
     var pixel_51: GaborPixel;
     var of_25: GaborPairs;
     var layers_1: i32;
-    var i_43: i32 = 0i;
+    var i_41: i32 = 0i;
     var layer_13: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_51 = _e6;
@@ -4166,17 +4166,17 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
     let _e10 = gabor_impl_metal_layers(metal);
     layers_1 = _e10;
     loop {
-        let _e14 = i_43;
+        let _e14 = i_41;
         let _e15 = layers_1;
         if !((_e14 < _e15)) {
             break;
         }
         {
-            let _e21 = i_43;
+            let _e21 = i_41;
             let _e22 = pixel_51;
             let _e23 = gabor_impl_metal_layer(_e21, _e22, metal, seed);
             layer_13 = _e23;
-            let _e26 = i_43;
+            let _e26 = i_41;
             let _e27 = layer_13;
             let _e28 = layer_13;
             let _e29 = pixel_51;
@@ -4184,8 +4184,8 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
             gabor_impl_add_metal((&of_25), _e26, _e27, _e30);
         }
         continuing {
-            let _e18 = i_43;
-            i_43 = (_e18 + 1i);
+            let _e18 = i_41;
+            i_41 = (_e18 + 1i);
         }
     }
     let _e32 = of_25;
@@ -4196,24 +4196,24 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
     var pixel_52: GaborPixel;
     var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_44: i32 = 0i;
+    var i_42: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_52 = _e6;
     loop {
-        let _e21 = i_44;
+        let _e21 = i_42;
         if !((_e21 < 14i)) {
             break;
         }
-        let _e29 = i_44;
-        let _e30 = i_44;
+        let _e29 = i_42;
+        let _e30 = i_42;
         let _e31 = pixel_52;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
         let _e33 = pixel_52;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
         gabor_impl_add_scratches((&sum_24), scratches, _e29, _e34);
         continuing {
-            let _e25 = i_44;
-            i_44 = (_e25 + 1i);
+            let _e25 = i_42;
+            i_42 = (_e25 + 1i);
         }
     }
     let _e36 = sum_24;
@@ -4226,7 +4226,7 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     var skin_6: GaborWarped;
     var direction_3: f32;
     var of_26: GaborPairs;
-    var i_45: i32 = 0i;
+    var i_43: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_53 = _e6;
     let _e8 = pixel_53;
@@ -4238,11 +4238,11 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     let _e14 = gabor_impl_no_pairs();
     of_26 = _e14;
     loop {
-        let _e18 = i_45;
+        let _e18 = i_43;
         if !((_e18 < 2i)) {
             break;
         }
-        let _e26 = i_45;
+        let _e26 = i_43;
         let _e27 = pixel_53;
         let _e28 = skin_6;
         let _e29 = direction_3;
@@ -4250,8 +4250,8 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
         let _e31 = pixel_53;
         gabor_impl_add_filtered_spots((&of_26), _e30, _e31);
         continuing {
-            let _e22 = i_45;
-            i_45 = (_e22 + 1i);
+            let _e22 = i_43;
+            i_43 = (_e22 + 1i);
         }
     }
     let _e35 = pixel_53;
@@ -4270,8 +4270,8 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     var pixel_54: GaborPixel;
     var trunk_3: GaborWarped;
     var of_27: GaborPairs;
-    var i_46: i32 = 0i;
-    var i_47: i32 = 6i;
+    var i_44: i32 = 0i;
+    var j_8: i32 = 6i;
     var pair_5: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_54 = _e6;
@@ -4281,35 +4281,35 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     let _e11 = gabor_impl_no_pairs();
     of_27 = _e11;
     loop {
-        let _e15 = i_46;
+        let _e15 = i_44;
         if !((_e15 < 6i)) {
             break;
         }
-        let _e23 = i_46;
+        let _e23 = i_44;
         let _e24 = pixel_54;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
         let _e27 = pixel_54;
         gabor_impl_add_filtered_spots((&of_27), _e26, _e27);
         continuing {
-            let _e19 = i_46;
-            i_46 = (_e19 + 1i);
+            let _e19 = i_44;
+            i_44 = (_e19 + 1i);
         }
     }
     loop {
-        let _e31 = i_47;
+        let _e31 = j_8;
         if !((_e31 < 8i)) {
             break;
         }
         {
-            let _e38 = i_47;
+            let _e38 = j_8;
             let _e39 = pixel_54;
             let _e40 = trunk_3;
             let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
             let _e42 = pixel_54;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_5 = _e43;
-            let _e45 = i_47;
+            let _e45 = j_8;
             if (_e45 == 6i) {
                 let _e49 = pair_5;
                 of_27.c = _e49;
@@ -4319,8 +4319,8 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             }
         }
         continuing {
-            let _e35 = i_47;
-            i_47 = (_e35 + 1i);
+            let _e35 = j_8;
+            j_8 = (_e35 + 1i);
         }
     }
     let _e52 = of_27;
@@ -4332,7 +4332,7 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var pixel_55: GaborPixel;
     var rock_3: GaborWarped;
     var of_28: GaborPairs;
-    var i_48: i32 = 0i;
+    var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_55 = _e6;
     let _e8 = pixel_55;
@@ -4341,19 +4341,19 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e11 = gabor_impl_no_pairs();
     of_28 = _e11;
     loop {
-        let _e15 = i_48;
+        let _e15 = i_45;
         if !((_e15 < 8i)) {
             break;
         }
-        let _e23 = i_48;
+        let _e23 = i_45;
         let _e24 = pixel_55;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
         let _e27 = pixel_55;
         gabor_impl_add_filtered_spots((&of_28), _e26, _e27);
         continuing {
-            let _e19 = i_48;
-            i_48 = (_e19 + 1i);
+            let _e19 = i_45;
+            i_45 = (_e19 + 1i);
         }
     }
     let _e29 = of_28;

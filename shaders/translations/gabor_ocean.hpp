@@ -130,13 +130,13 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
     ocean.direction = direction;
     ocean.fetch = gabor_cpp_clamp(fetch, 1.0e3f, 1.0e6f);
     ocean.swell = gabor_vec3(gabor_cpp_clamp(swell.x, 0.0f, 30.0f), gabor_cpp_clamp(swell.y, 5.0f, 25.0f), swell.z);
-    ocean.loop = loop > 0 ? 1 << int(gabor_cpp_log2(float(gabor_cpp_clamp(loop, 8, 4096))) + 0.01f) : 0;
+    ocean.loop = loop > 0 ? int(1u << std::uint32_t(gabor_cpp_log2(float(gabor_cpp_clamp(loop, 8, 4096))) + 0.01f)) : 0;
     float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5f * gravity / ocean.wind * gabor_cpp_pow(reach, -0.33f);
     float scale = 0.076f * gabor_cpp_pow(reach, -0.22f) * gravity * gravity / 1558.5455f, sharp = 1.1939225f; // (2 pi)^4, ln 3.3
     int power = int(gabor_cpp_floor(gabor_cpp_log2(0.62f * peak / tick)));
     ocean.tail = gabor_vec2(0.00316f, 0.00192f) * ocean.wind + gabor_vec2(0.0f, 0.003f);
     for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
-        float low = float(((i & 1) == 0 ? 128 : 181) << (power + i / 2)) / 128.0f;
+        float low = float(((i & 1) == 0 ? 128u : 181u) << std::uint32_t(power + i / 2)) / 128.0f;
         bool remote = i == GABOR_OCEAN_BANDS;
         if (remote) { // the swell
             peak = 1.0f / ocean.swell.y;
@@ -261,7 +261,7 @@ GABOR_INLINE void gabor_impl_float_by(int cell, float local, int exponent, int d
     rest = -float(low & 32767) / 32768.0f - float(drift) / 32768.0f * fraction;
     int up = gabor_cpp_max(exponent, 0), down = gabor_cpp_max(-exponent, 0);
     whole += (cell >> up) << down;
-    rest += (float(cell & ((1 << up) - 1)) + local) * gabor_cpp_exp2(-float(exponent));
+    rest += (float(cell & (int(1u << std::uint32_t(up)) - 1)) + local) * gabor_cpp_exp2(-float(exponent));
 }
 
 // The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
@@ -336,8 +336,8 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
         gabor_impl_add_band(water, squeeze, ocean.band[k], true, i > threes ? swell : wind, quantum, least, cell, local, second,
                             fraction, dx, dy, gabor_lobe_seed(seed, i > threes ? 12 : k)); // the swell is the same for any bands
     }
-    for (int i = 0; i < GABOR_OCEAN_BANDS - threes; ++i) {
-        int k = i == 0 ? 0 : i + threes;
+    for (int j = 0; j < GABOR_OCEAN_BANDS - threes; ++j) {
+        int k = j == 0 ? 0 : j + threes;
         gabor_impl_add_band(water, squeeze, ocean.band[k], false, wind, quantum, least, cell, local, second, fraction, dx, dy,
                             gabor_lobe_seed(seed, k));
     }

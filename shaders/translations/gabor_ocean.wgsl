@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 104a3f55ef279af3.
+// naga 30.0.1 made it from GLSL with the digest 889abcf058de8108.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -209,7 +209,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     var sharp_1: f32 = 1.1939225f;
     var power_1: i32;
     var i: i32 = 0i;
-    var local_19: i32;
+    var local_19: u32;
     var low: f32;
     var remote: bool;
     var width: f32;
@@ -259,7 +259,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
     ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
     if (loop_ > 0i) {
-        local_18 = (1i << u32(i32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
+        local_18 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
     } else {
         local_18 = 0i;
     }
@@ -291,9 +291,9 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
         {
             let _e116 = i;
             if ((_e116 & 1i) == 0i) {
-                local_19 = 128i;
+                local_19 = 128u;
             } else {
-                local_19 = 181i;
+                local_19 = 181u;
             }
             let _e124 = local_19;
             let _e125 = power_1;
@@ -811,7 +811,7 @@ fn gabor_impl_float_by(cell: i32, local: f32, exponent: i32, drift: i32, second:
     (*whole) = (_e45 + ((cell >> u32(_e46)) << u32(_e49)));
     let _e53 = (*rest);
     let _e55 = up;
-    (*rest) = (_e53 + ((f32((cell & ((1i << u32(_e55)) - 1i))) + local) * exp2(-(f32(exponent)))));
+    (*rest) = (_e53 + ((f32((cell & (i32((1u << u32(_e55))) - 1i))) + local) * exp2(-(f32(exponent)))));
     return;
 }
 
@@ -1121,7 +1121,7 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var k_1: i32;
     var local_44: vec2<f32>;
     var local_45: i32;
-    var i_2: i32 = 0i;
+    var j_3: i32 = 0i;
     var local_46: i32;
     var k_2: i32;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
@@ -1205,17 +1205,17 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
         }
     }
     loop {
-        let _e148 = i_2;
+        let _e148 = j_3;
         let _e150 = threes;
         if !((_e148 < (9i - _e150))) {
             break;
         }
         {
-            let _e157 = i_2;
+            let _e157 = j_3;
             if (_e157 == 0i) {
                 local_46 = 0i;
             } else {
-                let _e161 = i_2;
+                let _e161 = j_3;
                 let _e162 = threes;
                 local_46 = (_e161 + _e162);
             }
@@ -1230,8 +1230,8 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e169], false, _e173, _e174, _e175, cell, local, second, fraction, dx, dy, _e177);
         }
         continuing {
-            let _e154 = i_2;
-            i_2 = (_e154 + 1i);
+            let _e154 = j_3;
+            j_3 = (_e154 + 1i);
         }
     }
     let _e182 = squeeze_2;
@@ -1271,9 +1271,9 @@ fn gabor_water(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> Gabo
 
 fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> f32 {
     var water_2: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
-    var i_3: i32 = 0i;
+    var i_2: i32 = 0i;
     loop {
-        let _e16 = i_3;
+        let _e16 = i_2;
         if !((_e16 < 6i)) {
             break;
         }
@@ -1281,8 +1281,8 @@ fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) 
         let _e26 = gabor_water((p - _e23.shift), seconds, ocean, seed);
         water_2 = _e26;
         continuing {
-            let _e20 = i_3;
-            i_3 = (_e20 + 1i);
+            let _e20 = i_2;
+            i_2 = (_e20 + 1i);
         }
     }
     let _e27 = water_2;

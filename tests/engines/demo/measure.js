@@ -242,5 +242,5 @@ globalThis.drawn = (async () => {
     changed();
     await pause(500); // until the page draws at full resolution
     await new Promise(requestAnimationFrame);
-    return { engine: "docs/demo", dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
+    return { engine: `live page, ${navigator.userAgent.includes("Firefox") ? "Firefox" : "Chromium"}`, dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();

@@ -184,7 +184,8 @@ void main()
 CPP = """#include <metal_stdlib>
 using namespace metal;
 using color = float3;
-int mdl_right(int word, int bits) { return int(unsigned(word) >> bits); }
+struct Right { int bits; };
+int operator>>(int word, Right right) { return int(unsigned(word) >> right.bits); }
 """
 
 
@@ -193,7 +194,7 @@ def functions(target):
     if target == "mdl":
         text = (NODE / "libraries" / "gabor" / "genmdl" / "mx_gabor.mdl").read_text()
         text = re.sub(r"^(mdl|import) .*$|^export ", "", text, flags=re.MULTILINE)
-        return re.sub(r"(\w+|\((?:[^()]|\([^()]*\))*\)) >>> (\d+)", r"mdl_right(\1, \2)", text) + RETURNING
+        return re.sub(r">>> (\d+)", r">> Right{\1}", text) + RETURNING
     text = generated(target, SURFACE)[-1]
     text = "".join(match[0] + "\n" for match in re.finditer(
         r"^ *#define MX_GABOR.*|^( *)\w+ mx_gabor\w*\([^)]*\)\s*\{\n(?:.*\n)*?\1\}", text, re.MULTILINE))
