@@ -158,8 +158,14 @@ class EventsTest(ViewerTest):
         last = self.state["frames"] + count
         self.wait_for(lambda state: state["frames"] >= last)
 
+    def pause(self, seconds):
+        """Lets time pass without frames."""
+        self.process.send_signal(signal.SIGSTOP)
+        time.sleep(seconds)
+        self.process.send_signal(signal.SIGCONT)
+
     def rest(self):
-        time.sleep(0.4) # so that two clicks are not a double click
+        self.pause(0.4) # so that two clicks are not a double click
 
     def fine(self):
         self.frames(3)
