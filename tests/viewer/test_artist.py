@@ -36,6 +36,7 @@ class Artist(EventsTest):
             screenshot normal.png
             set look 1
             screenshot colour.png
+            keys Escape
             keys ctrl+c
             copy material.glsl""")
         normal, colour = (read_colour_png(self.folder / f"{file}.png") for file in ("normal", "colour"))
