@@ -194,10 +194,12 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     plan.tables = {bytes_of(lines(request, viewport, 0)), bytes_of(lines(request, viewport, 1)),
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
     Constants constants = constants_of(request, plan.channels);
-    if (waves.size() <= few_waves) {
+    const bool window = viewport.blocks == Blocks::fixed;
+    // A driver may take a tenth of a second to compile each filtered wave, too long while a user adds waves.
+    if (waves.size() <= (window && request.filter ? 1 : few_waves)) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
-        // Not in the viewer, where each scale would need its own pipeline.
-        if (request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted)
+        // Not in a window, where each scale would need its own pipeline.
+        if (request.filter && !in_perspective(request) && !window)
             choose_filters(constants, waves, push.pixel, request.recipe.radius);
     }
     plan.steps = {step_of(recipe_pass("pixels", request.recipe), constants, push, passes::pixels_group)};

@@ -338,7 +338,7 @@ bool App::frame(const FrameHook& hook) {
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
-    busy_ = refine(extent);
+    busy_ = !session_.gallery && refine(extent); // the gallery hides the view
     if (window_png_)
         write_png(extent, *std::exchange(window_png_, {}), [&](vk::CommandBuffer commands) {
             paint(commands, view_area(extent));

@@ -87,8 +87,10 @@ class EventsTest(ViewerTest):
     def compare_with_render(self, cases, more="", inside=False):
         """Opens presets in one viewer and checks that it shows what gabor render draws; with `inside`, compares only the body.
         cases: the parameters of each preset, by name. more: the rest of the viewer's script. Returns the pictures by name."""
-        presets = [self.preset(f"{name}.json", **parameters) for name, parameters in cases.items()]
-        self.play("\n".join(f"open {name}.json\nscreenshot {name}.png" for name in cases) + more, presets[0], "--window", "480x320")
+        for name, parameters in cases.items():
+            self.preset(f"{name}.json", **parameters)
+        script = ["keys p", *(f"open {name}.json\nscreenshot {name}.png" for name in cases)] # the gallery hides the view
+        self.play("\n".join(script) + more, self.preset("plain.json"), "--window", "480x320")
         pictures = {}
         for name in cases:
             self.gabor("render", "--like", f"{name}.json", "--png", "expected.png", "-o", "expected.exr")
@@ -158,8 +160,14 @@ class EventsTest(ViewerTest):
         last = self.state["frames"] + count
         self.wait_for(lambda state: state["frames"] >= last)
 
+    def pause(self, seconds):
+        """Lets time pass without frames."""
+        self.process.send_signal(signal.SIGSTOP)
+        time.sleep(seconds)
+        self.process.send_signal(signal.SIGCONT)
+
     def rest(self):
-        time.sleep(0.4) # so that two clicks are not a double click
+        self.pause(0.4) # so that two clicks are not a double click
 
     def fine(self):
         self.frames(3)

@@ -18,7 +18,7 @@ PARTS = {VALUE: "vec4(n.complex.y)", GRADIENT: "vec4(n.slope, 0.0)", VARIANCE: "
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea", "own")
 RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
-TERRAIN = {"view": "terrain", "width": WIDTH, "height": HEIGHT, "scale": 40, "octaves": 4, "strength": 0.15, "seed": 3}
+TERRAIN = {"view": "terrain", "width": WIDTH, "height": HEIGHT, "scale": 40, "octaves": 2, "strength": 0.15, "seed": 3}
 LANDSCAPE = {**TERRAIN, "view": "landscape", "pitch": 30, "yaw": 20}
 # A noise of two lobes, coloured by two components.
 COLOURED = {

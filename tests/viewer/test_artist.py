@@ -23,8 +23,8 @@ PICTURES = {
     "sphere": {**SMALL, "material": "brushed-metal", "view": "sphere", "yaw": 40},
     "torus": {**SMALL, "material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.contrast": 0.2,
               "brushed-metal.colour": [0.6, 0.4, 0.2]},
-    "terrain": TERRAIN,
-    "landscape": LANDSCAPE,
+    "terrain": {**TERRAIN, **SMALL},
+    "landscape": {**LANDSCAPE, **SMALL},
 }
 
 
@@ -36,6 +36,7 @@ class Artist(EventsTest):
             screenshot normal.png
             set look 1
             screenshot colour.png
+            keys Escape
             keys ctrl+c
             copy material.glsl""")
         normal, colour = (read_colour_png(self.folder / f"{file}.png") for file in ("normal", "colour"))
@@ -51,7 +52,7 @@ class Artist(EventsTest):
     def test_a_photograph_becomes_a_noise(self):
         write_png(self.folder / "small.png", colour_noise(32))
         write_png(self.folder / "cloth.png", colour_noise(160))
-        self.open(*WINDOW)
+        self.open(*WINDOW, self.preset("plain.json"))
         self.drop("small.png") # which is refused
         self.wait_for(lambda state: not state["fitting"])
         self.assertIn("128", self.state["message"])
@@ -79,7 +80,7 @@ class Artist(EventsTest):
         self.keys("ctrl+z") # back to the noise before the fit
         self.assertFalse(self.state["photograph"])
         self.keys("ctrl+s", "Return")
-        self.assertNotIn("colour", json.loads(self.read("noise.json")))
+        self.assertNotIn("colour", json.loads(self.read("plain.json")))
         self.assertEqual(json.loads(self.read("cloth.json")), fit)
         self.keys("ctrl+y")
         self.assertTrue(self.state["photograph"])
@@ -92,7 +93,7 @@ class Artist(EventsTest):
 
     def test_copied_code_has_a_valid_name_whatever_the_photograph_is_called(self):
         write_png(self.folder / "steel photo (1).png", colour_noise(160))
-        self.play("open steel photo (1).png\nfitted\nkeys ctrl+c\ncopy code.glsl")
+        self.play("open steel photo (1).png\nfitted\nkeys ctrl+c\ncopy code.glsl", self.preset("plain.json"), *WINDOW)
         code = (self.folder / "code.glsl").read_text()
         self.assertIn("texture_steel_photo_1_colour", code)
         self.assertNotIn("__", code)
@@ -184,7 +185,7 @@ class Artist(EventsTest):
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
         self.preset("folder/mine.json", frequency=3, width=64, height=64)
-        self.open(*WINDOW)
+        self.open(*WINDOW, self.preset("plain.json"))
         self.keys("ctrl+o")
         self.type("folder")
         self.keys("Return") # opens the folder
@@ -207,7 +208,7 @@ class Artist(EventsTest):
         # No font of the panel has the last script's characters, but other installed fonts do.
         scripts = {"latin": "ab", "cyrillic": "жщ", "greek": "ψω", "arabic": "شق", "symbols": "⌶⌷"}
         seen = {}
-        self.open(*WINDOW)
+        self.open(*WINDOW, self.preset("plain.json"))
         for name, (first, second) in scripts.items():
             with self.subTest(name):
                 for character in (first, second):

@@ -15,7 +15,7 @@ NOISES = {
               "seed": 5},
     "radii": {"lobes": [{"frequency": 3, "frequency_spread": 0.3, "radius": 2},
                         {"frequency": 5, "orientation": 70, "power": 0.3, "radius": 0.6}], "tileable": True},
-    "filtered radii": {"lobes": [{"frequency": 3, "orientation_spread": 90}, {"frequency": 8, "radius": 0.6}],
+    "filtered radii": {"lobes": [{"frequency": 3, "frequency_spread": 0.2}, {"frequency": 8, "radius": 0.6}],
                        "filter": True},
     "spread": {"frequency": 3, "orientation": 10, "orientation_spread": 40, "frequency_spread": 0.2},
     "filtered": {"frequency": 9, "orientation": 25, "filter": True},

@@ -16,6 +16,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <random>
 #include <regex>
@@ -274,21 +275,32 @@ TEST_CASE("a double click adds the colour that is there, and a button removes it
     CHECK(std::ranges::is_sorted(ramp, {}, &ColourStop::at));
 }
 
-TEST_CASE("the gallery shows each preset once") {
+TEST_CASE("the gallery shows each preset once, and finds words of names and groups") {
     const NoWindow none;
     Session session({}, "");
     session.gallery = true;
     Gallery gallery;
-    for (int frame = 0; frame < 3; ++frame) {
+    const auto frame = [&] {
         ImGui::NewFrame();
         gallery = gallery_window(session, 1000, 4000);
         ImGui::EndFrame();
-    }
+    };
+    for (int i = 0; i < 3; ++i)
+        frame();
     std::set<std::size_t> shown;
     for (const Gallery::Picture& picture : gallery.pictures)
         shown.insert(picture.preset);
     CHECK(gallery.pictures.size() == render::presets().size());
     CHECK(shown.size() == render::presets().size());
+    for (const auto& [search, first] :
+         std::map<std::string, std::string>{{"copper weath", "weathered-copper"},
+                                            {"snow mountains", "alps"},
+                                            {"cloth herringbone", "herringbone"}}) {
+        ImGui::ClearActiveID(); // while the field has the focus, it keeps its own text
+        session.search = search;
+        frame();
+        CHECK(render::presets()[gallery.pictures.front().preset].name == first);
+    }
 }
 
 TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles outside a slider's range are "

@@ -19,7 +19,7 @@ class Window(EventsTest):
         self.play("""
             keys Tab
             keys n
-            save after.json""", "plain.json")
+            save after.json""", "plain.json", "--window", "640x480")
         self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
     def test_the_panel_works_with_the_mouse(self):
@@ -27,13 +27,13 @@ class Window(EventsTest):
         self.play("""
             fine
             save before.json
-            click 1100 107
-            click 1000 175
+            click 680 107
+            click 580 175
             save after.json
             keys ctrl+z
             save undone.json
             keys ctrl+y
-            save redone.json""", "plain.json", "--window", "1280x800")
+            save redone.json""", "plain.json", "--window", "860x500")
         materials = [json.loads((self.folder / f"{name}.json").read_text())["material"]
                      for name in ("before", "after", "undone", "redone")]
         self.assertEqual(materials, ["none", "fabric", "none", "fabric"])
@@ -47,34 +47,34 @@ class Window(EventsTest):
             keys Escape
             save two.json
             open missing.json
-            says cannot read""", "plain.json")
+            says cannot read""", "plain.json", "--window", "640x480")
         seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
         self.assertEqual(seeds, [0, 1])
 
     def test_lobes_are_edited_in_the_frequency_plane(self):
-        # In the window, frequency 0 is at (1040, 324) and the lobe of frequency 4 at (1118, 324).
+        # In the window, frequency 0 is at (620, 324) and the lobe of frequency 4 at (698, 324).
         self.play("""
             fine
-            drag 1120 328 1042 256
+            drag 700 328 622 256
             save moved.json
-            click 990 392
+            click 570 392
             rest
-            drag 990 392 1000 372
+            drag 570 392 580 372
             keys Delete
             save same.json
-            double_click 1095 379
+            double_click 675 379
             save added.json
             keys Delete
             save removed.json
-            click 1178 241
-            click 1178 264
+            click 758 241
+            click 758 264
             save more.json
             keys ctrl+z
             keys ctrl+z
-            double_click 1000 452
+            double_click 580 452
             save reset.json
-            drag 1040 402 1090 350
-            save mirrored.json""", "plain.json", "--window", "1280x800")
+            drag 620 402 670 350
+            save mirrored.json""", "plain.json", "--window", "860x500")
 
         def lobes(name):
             saved = json.loads((self.folder / f"{name}.json").read_text())
@@ -96,7 +96,7 @@ class Window(EventsTest):
     def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
         self.play("""
             point 300 300
-            window lobe.png""", "plain.json", "--window", "1280x800")
+            window lobe.png""", "plain.json", "--window", "860x500")
         plane = read_colour_png(self.folder / "lobe.png")
         pixels = 78 / 4 # per cycle per kernel radius; the positions are as in the test above
         cell = 2 * 2**2.5 / 72
@@ -107,37 +107,38 @@ class Window(EventsTest):
 
         for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
             y = 6
-            seen = plane[324 + y, 1118 + x, 2]
+            seen = plane[324 + y, 698 + x, 2]
             low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
                          for less in (0, cell))
             self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
-        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from the lobe, only the axes and rings are drawn
+        self.assertLess(plane[240:300, 600:640].max(), 60) # far from the lobe, only the axes and rings are drawn
 
     def test_nothing_hides_the_number_of_a_slider(self):
         self.play("""
             point 300 300
-            window panel.png""", "walnut", "--window", "1280x800")
-        sliders = read_colour_png(self.folder / "panel.png")[180:292, 930:1136] # rings, waviness, pores and roughness
+            window panel.png""", "walnut", "--window", "860x500")
+        sliders = read_colour_png(self.folder / "panel.png")[180:292, 510:716] # rings, waviness, pores and roughness
         colourful = (np.ptp(sliders, axis=2) > 40).reshape(4, 28, -1).sum(axis=2)
         self.assertTrue((colourful[:, 17:].sum(axis=1) > 40).all()) # each has a line at its place
         self.assertEqual(colourful[:, :17].sum(), 0) # the line is below the number
         self.assertGreater((sliders[:, 90:116].min(axis=2) > 150).sum(), 40) # the numbers
 
     def test_a_tooltip_covers_no_control(self):
-        self.open("walnut", "--window", "1280x800")
-        self.point(1020, 760) # below all controls
-        around = lambda: self.shown(0, 210, 1280, 300) # below the first slider and the pointer
+        self.open("walnut", "--window", "860x800")
+        self.point(600, 760) # below all controls
+        around = lambda: self.shown(0, 210, 860, 300) # below the first slider and the pointer
         before = around()
-        self.point(1020, 192) # the first slider, whose tooltip is as high as its control
+        self.point(600, 192) # the first slider, whose tooltip is as high as its control
         self.wait_for(lambda state: np.abs(around() - before).max() > 20)
         self.frames(3)
         covered = np.abs(around() - before).max(axis=2) > 20
-        self.assertGreater(covered[:, :916].sum(), 100) # the tooltip is on the picture
-        self.assertEqual(covered[:, 916:].sum(), 0)
+        self.assertGreater(covered[:, :496].sum(), 100) # the tooltip is on the picture
+        self.assertEqual(covered[:, 496:].sum(), 0)
         self.close()
 
     def test_what_has_no_effect_says_so(self):
         self.play("""
+            keys p
             set view sphere
             set orientation_spread 90
             set width 64
@@ -145,14 +146,16 @@ class Window(EventsTest):
             screenshot body.png
             set orientation 60
             screenshot turned.png
+            keys Escape
             keys t
             says tileable first
+            keys p
             set view flat
             set output 1
             screenshot normals.png
             set colours 3
             screenshot coloured.png
-            save after.json""", "plain.json", "--window", "900x600")
+            save after.json""", "plain.json", "--window", "640x480")
         files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
         self.assertEqual(files["body"], files["turned"])
         self.assertEqual(files["normals"], files["coloured"])
@@ -161,16 +164,16 @@ class Window(EventsTest):
     def test_dragging_away_and_back_shows_the_same_picture(self):
         self.play("""
             set scale 8
-            point 1200 700
+            point 780 700
             fine
             window here.png
-            drag 100 300 600 300
-            drag 600 500 100 500
-            point 1200 700
+            drag 100 300 400 300
+            drag 400 500 100 500
+            point 780 700
             fine
-            window back.png""", "plain.json", "--window", "1280x800")
+            window back.png""", "plain.json", "--window", "860x800")
         # Compares only the part above the message about the opened file.
-        here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900] for name in ("here", "back"))
+        here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :480] for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)
 
@@ -178,8 +181,8 @@ class Window(EventsTest):
         self.play("""
             open brushed-metal
             fine
-            window metal.png""", "plain.json", "--window", "1600x900")
-        view = read_colour_png(self.folder / "metal.png")[:, :1230]
+            window metal.png""", "plain.json", "--window", "1000x700")
+        view = read_colour_png(self.folder / "metal.png")[:, :630]
         burnt = (view.min(axis=2) >= 254).mean()
         print(f"{100 * burnt:.2f} % of the pixels are white")
         self.assertLess(burnt, 0.01)

@@ -3,7 +3,6 @@
 import json
 import pathlib
 import shutil
-import time
 import unittest
 
 import numpy as np
@@ -12,24 +11,24 @@ from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.pat
 from outputs import COLOURED
 from png import read_colour_png, read_deep_png
 
-WINDOW = "--window", "1100x700"
-VIEW = 736 # the view's width, without the panels
+WINDOW = "--window", "820x700"
+VIEW = 456 # the view's width, without the panels
 ANIMATION, TEXTURE, MAPS = 1, 2, 3 # indices in the list of what to export
 
 
 class Workshop(EventsTest):
     def show_exports(self):
         """Scrolls the panel to the section with the exports."""
-        self.click(1020, 51)
+        self.click(740, 51)
         self.frames(3)
 
     def export_as(self, kind, y=504):
         """Chooses what to export from the list at the height y, and exports it."""
-        self.click(900, y)
-        self.click(900, y + 30 + 20 * kind)
+        self.click(620, y)
+        self.click(620, y + 30 + 20 * kind)
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(752, y + 111) # the smallest number of frames
+            self.click(472, y + 111) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e")
         self.exported()
@@ -46,10 +45,7 @@ class Workshop(EventsTest):
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100])[4:, 4:-4]
         print(f"bark differs from its picture by {off.mean():.1f} of 255; its standard deviation is {seen.std():.1f}")
         self.assertLess(off.mean(), 0.25 * seen.std()) # JPEG compression error
-        self.click(left + 64, top + 64)
-        self.assertFalse(self.state["gallery"])
-        self.assertEqual(self.document["material"], "bark")
-        self.keys("p", "Escape")
+        self.keys("Escape")
         self.assertFalse(self.state["gallery"])
         # In a small window names stay readable, and the pictures scroll.
         self.resize(640, 480)
@@ -58,16 +54,15 @@ class Workshop(EventsTest):
         self.xdotool("click", "--repeat", 80, "--delay", 1, 5)
         self.frames(3)
         self.click(100, 420)
+        self.assertFalse(self.state["gallery"])
         self.assertEqual(pathlib.Path(self.state["path"]).name, "storm.json")
-        # The search finds words of names and groups.
-        for search, opened in (("copper weath", "weathered-copper"), ("snow mountains", "alps"), ("dark oak planks", "oak-planks"), ("cloth herringbone", "herringbone")):
-            self.keys("p")
-            self.frames(3)
-            self.xdotool("type", search)
-            self.wait_for(lambda state, search=search: state["search"] == search)
-            self.keys("Return")
-            self.assertFalse(self.state["gallery"])
-            self.assertEqual(pathlib.Path(self.state["path"]).name, f"{opened}.json")
+        self.keys("p")
+        self.frames(3)
+        self.xdotool("type", "dark oak planks")
+        self.wait_for(lambda state: state["search"] == "dark oak planks")
+        self.keys("Return")
+        self.assertFalse(self.state["gallery"])
+        self.assertEqual(pathlib.Path(self.state["path"]).name, "oak-planks.json")
         self.close()
 
     def test_tiles_are_shown_two_by_two_without_seams(self):
@@ -111,12 +106,14 @@ class Workshop(EventsTest):
 
     def test_maps_have_the_bytes_of_gabor_render(self):
         for name, parameters in (("leather", {"material": "leather", "tileable": True, "scale": 16}),
-                                 ("valley", {"view": "landscape", "octaves": 3, "scale": 8, "extent": 900})):
+                                 ("valley", {"view": "landscape", "octaves": 1, "scale": 8, "extent": 900})):
             preset = self.preset(f"{name}.json", width=64, height=48, seed=5, **parameters)
-            self.open(*WINDOW, preset)
+            self.open(*WINDOW, self.preset("plain.json"))
+            self.keys("p") # the gallery hides the view, which would take longer than the maps
+            self.command(f"open {preset}")
             self.show_exports()
             self.command("maps 64")
-            self.click(820, 671) # Export now
+            self.click(540, 671) # Export now
             self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])
             # As much as the shorter side showed. A tile of mountains shows at least four kernel radii.
             from_above = ["--view=terrain"] if name == "valley" else []
@@ -127,13 +124,14 @@ class Workshop(EventsTest):
             self.assertEqual(len(names), 11)
             for each in names:
                 self.assertEqual(self.read(f"{name}/{each}"), self.read(f"expected/{each}"), each)
-            self.click(820, 671) # an export may overwrite its own files
-            self.wait_for(lambda state: not state["exporting"])
-            self.assertIsNone(self.state["question"])
-            (self.folder / name / "height.png").write_bytes(b"mine")
-            self.click(820, 671)
-            self.assertIn("height.png", self.state["question"])
-            self.keys("Escape")
+            if name == "leather":
+                self.click(540, 671) # an export may overwrite its own files
+                self.wait_for(lambda state: not state["exporting"])
+                self.assertIsNone(self.state["question"])
+                (self.folder / name / "height.png").write_bytes(b"mine")
+                self.click(540, 671)
+                self.assertIn("height.png", self.state["question"])
+                self.keys("Escape")
             self.close()
             shutil.rmtree(self.folder / "expected")
 
@@ -144,17 +142,17 @@ class Workshop(EventsTest):
         self.keys("ctrl+e")
         self.exported()
         steel = self.read("steel/base_color.png")
-        time.sleep(6) # the message stays until the next action
+        self.pause(6) # the message stays until the next action
         self.frames(2)
         self.assertLess(self.screen(20, 670, 100, 4).mean(), 60)
         for name in ("hill", "valley"):
             self.rest()
-            self.click(1000, 671) # Export to...
+            self.click(720, 671) # Export to...
             self.type(name) # replaces the name in the field, the second time too
             self.keys("Escape")
         self.command("open steel.json") # scrolls the panel to its top
         self.frames(3)
-        self.click(944, 135) # the colour
+        self.click(664, 135) # the colour
         self.frames(2)
         self.assertTrue(self.state["popup"])
         self.keys("Escape")
@@ -175,13 +173,13 @@ class Workshop(EventsTest):
 
     def test_a_press_beside_the_colour_picker_closes_it_and_acts(self):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
-        for x, y, opens in ((944, 135, True), (944, 137, False), (944, 135, True)): # the colour
+        for x, y, opens in ((664, 135, True), (664, 137, False), (664, 135, True)): # the colour
             self.rest()
             self.click(x, y)
             self.frames(2)
             self.assertEqual(self.state["popup"], opens)
         azimuth = self.document["light_azimuth"]
-        self.drag(782, 615, 880, 615) # its slider
+        self.drag(502, 615, 600, 615) # its slider
         self.assertFalse(self.state["popup"])
         self.assertGreater(self.document["light_azimuth"], azimuth + 30)
         self.close()
