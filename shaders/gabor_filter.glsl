@@ -387,7 +387,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors(vec3(0.0), vec3(0.0));
+        GaborFactors edge = GaborFactors(vec3(0.0), vec3(0.0)); // DXC warns of structs that only a call sets
         GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line);
         value += gabor_impl_contracted(row, window, weights);

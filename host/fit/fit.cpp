@@ -142,7 +142,7 @@ noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves
 // Larger differences are visible in most textures.
 constexpr double l1_limit = 0.2;
 constexpr double low_limit = 0.4;
-constexpr double low_power_limit = 0.001; // of the whole: 3 % of the deviation
+constexpr double low_power_limit = 0.001; // their error, relative to the whole power: 3 % of the deviation
 constexpr double autocorrelation_limit = 0.2;
 
 } // namespace

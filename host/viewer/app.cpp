@@ -146,6 +146,8 @@ bool App::refine(Extent window) {
     session_.tiling.reset();
     if (session_.tiles && has_effect(session_.document(), "tiles"))
         session_.tiling = tiling_of(session_.document(), session_.view);
+    if (session_.gallery) // it hides the view
+        return false;
     const Camera camera = session_.tiling ? session_.tiling->camera : session_.document().camera;
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
@@ -338,7 +340,7 @@ bool App::frame(const FrameHook& hook) {
     if (!window_.shown())
         return true;
     const Extent extent = window_.pixels();
-    busy_ = !session_.gallery && refine(extent); // the gallery hides the view
+    busy_ = refine(extent);
     if (window_png_)
         write_png(extent, *std::exchange(window_png_, {}), [&](vk::CommandBuffer commands) {
             paint(commands, view_area(extent));

@@ -139,7 +139,7 @@ std::string terms(const View& view, std::size_t table) {
         const std::string noise =
             glsl("noise_of({}, {}u), {})", glsl(field, glsl(filter, wave.radius)), wave.seed, wave.radius);
         text += view.request.colour
-                    ? glsl("    add_weighted(sum, {}, {});\n", noise, literal(std::to_array(wave.weights)))
+                    ? glsl("    add_weighted(sum, {}, {});\n", noise, std::to_array(wave.weights))
                     : glsl("    add_noise(sum, {}, {});\n", noise, wave.amplitude);
     }
     return text;

@@ -392,7 +392,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+        GaborFactors edge = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // DXC warns of structs that only a call sets
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);

@@ -393,7 +393,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors{float3(0.0), float3(0.0)};
+        GaborFactors edge = GaborFactors{float3(0.0), float3(0.0)}; // DXC warns of structs that only a call sets
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);

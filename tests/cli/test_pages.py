@@ -85,7 +85,7 @@ class Engines(ProgramTest):
             self.assertLess(difference, 1e-4, snippet)  # 0.7854 is not quite 45 degrees
 
     def test_pictures_are_what_tools_gallery_draws(self):
-        """Of pictures that the program alone draws, one of each kind, the cheapest."""
+        """Of pictures of each kind, a cheap one."""
         script = ROOT / "tools" / "gallery"
         gallery = {"__file__": str(script), "__name__": "gallery"}
         exec(script.read_text().removesuffix("main()\n"), gallery)

@@ -212,11 +212,11 @@ class Periods(RenderTest):
         fast = ["--scale=40", "--frequency=24"]
         for options, warned in ((["--scale=40", "--frequency=16", "--frequency-spread=0.5"], "0.6"), ([*fast, "--orientation=90"], "0.6"),
                                 ([*fast, "--orientation=45"], None), ([*fast, "--orientation=45", "--orientation-spread=3"], "0.6"),
-                                ([*fast, "--orientation=200"], "0.564"), (["--scale=40", "--lobes=lobes.json"], "0.65"), ([*fast, "--filter"], None),
+                                ([*fast, "--orientation=200"], "0.564"), (["--scale=40", "--frequency=20.5"], "0.512"), (["--scale=40", "--frequency=19.5"], None), (["--scale=40", "--lobes=lobes.json"], "0.65"), ([*fast, "--filter"], None),
                                 ([*fast, "--view=slice"], None), (["--paint=paint.exr"], None)):
             result = gabor("render", "-o", "out.exr", "--size=8x8", *options, cwd=self.folder)
             self.assertEqual(result.returncode, 0)
-            self.assertRegex(result.stderr, rf"\Agabor: warning: .* is {warned} cycles per pixel.*\n\Z" if warned else r"\A\Z", options)
+            self.assertRegex(result.stderr, rf"\Agabor: warning: .* is {warned} cycles per pixel; above 0\.5, .*\n\Z" if warned else r"\A\Z", options)
 
     def test_time_is_periodic(self):
         at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}

@@ -211,6 +211,7 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
     const FitError none = fit_error(exemplar, {noise, swell});
     CHECK(none.l1 < 1e-9);
     CHECK(none.low < 1e-9);
+    CHECK(none.low_share == Approx(0.36).epsilon(0.02));
     swell.weight *= std::sqrt(1.5);
     const FitError error = fit_error(exemplar, {noise, swell});
     CHECK(error.l1 == Approx(0.5 * 0.36).epsilon(0.01));

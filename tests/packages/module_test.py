@@ -157,8 +157,8 @@ class Movies(unittest.TestCase):
     def spectrum(self, side, frames):
         """Returns the summed power of the frames, and its frequencies in cycles per pixel: their lengths, and their parts along x and y."""
         window = np.hanning(side) * np.hanning(side)[:, None]
-        y, x = np.meshgrid(np.fft.fftfreq(side), np.fft.fftfreq(side), indexing="ij")
-        return sum(np.abs(np.fft.fft2(frame * window)) ** 2 for frame in frames), np.hypot(x, y), (x, y)
+        y, x = np.meshgrid(np.fft.fftfreq(side), np.fft.rfftfreq(side), indexing="ij")
+        return sum(np.abs(np.fft.rfft2(frame * window)) ** 2 for frame in frames), np.hypot(x, y), (x, y)
 
     def peak(self, places, density, full):
         """Returns the middle and the full width of a density over places at half its height."""

@@ -85,7 +85,7 @@ class EventsTest(ViewerTest):
         return name
 
     def compare_with_render(self, cases, more="", inside=False):
-        """Opens presets in one viewer and checks that it shows what gabor render draws; with `inside`, compares only the body.
+        """Opens presets in one viewer and checks that its pictures are what gabor render draws; with `inside`, compares only the body.
         cases: the parameters of each preset, by name. more: the rest of the viewer's script. Returns the pictures by name."""
         for name, parameters in cases.items():
             self.preset(f"{name}.json", **parameters)

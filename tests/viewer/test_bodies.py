@@ -39,6 +39,7 @@ class Bodies(OutputsTest):
             "metal's colour": {**metal, "view": "torus", "viewer": {"look": "colour"}},
             "a tile of metal": {**metal, "tileable": True, "viewer": {"look": "normal", "normals": "DirectX"}},
             "leather's height": {"material": "leather", "viewer": {"look": "height", "contrast": 3}},
+            "a horizon of metal": {**metal, "filter": True, "view": "horizon"},
             "wood under the sky": {"material": "wood", "filter": True, "view": "horizon", "environment": "overcast"},
             "metal under the sky": {**metal, "view": "torus", "environment": "overcast", "light_azimuth": 40, "light_elevation": 70},
             "noise under the sky": {"viewer": {"output": "lit", "environment": "overcast"}},
