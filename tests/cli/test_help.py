@@ -138,6 +138,8 @@ class Help(ProgramTest):
             group, subgroup = map(int, re.search(r"(?m)^   workgroup +(\d+) invocations at most, (\d+) per subgroup$", block).groups())
             self.assertGreaterEqual(group, 128) # as Vulkan demands
             self.assertLessEqual(subgroup, 128)
+            if "llvmpipe" in block:
+                self.assertIn("   GPU timing      yes\n", block)
 
 
 if __name__ == "__main__":

@@ -182,7 +182,8 @@ class Maps(RenderTest):
         self.assertEqual(described("--material=wood", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
         self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
         width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
-        self.assertEqual(described("--preset=walnut", "--size=64x32"), (64, 32, True, scale * 32 / min(width, height)))
+        for size in ((64, 32), (32, 64)):
+            self.assertEqual(described("--preset=walnut", f"--size={size[0]}x{size[1]}"), (*size, True, scale * 32 / min(width, height)))
         self.assertEqual(described("--preset=walnut", "--size=32", "--scale=9"), (32, 32, True, 9))
         self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
         self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
