@@ -25,8 +25,8 @@ constexpr double largest_stretch = 99; // presets accept at most 100
 constexpr int functions = 5;
 
 // A spectrum on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
-// cross-spectra contain the sum of the two, the imaginary parts their difference, which is empty for a single
-// channel.
+// cross-spectra contain the sum of the two, the imaginary parts their difference. A single channel has no
+// imaginary parts, and leaves `difference` empty.
 struct Parts {
     Eigen::MatrixXd sum;
     Eigen::MatrixXd difference;

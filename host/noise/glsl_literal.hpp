@@ -38,7 +38,7 @@ std::string literal(const std::array<Part, size>& parts) {
         return fmt::format("{}[{}]({})", text.substr(0, text.find('(')), size, text);
 }
 
-/// Formats GLSL. Writes values that are not integers or text as literals.
+/// Formats GLSL. Writes integers and text as they are, and other values as literals.
 template <typename... Values>
 std::string glsl(std::string_view text, const Values&... values) {
     const auto written = []<typename T>(const T& value) {

@@ -195,7 +195,8 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
     Constants constants = constants_of(request, plan.channels);
     const bool window = viewport.blocks == Blocks::fixed;
-    // A driver may take a tenth of a second to compile each filtered wave, too long while a user adds waves.
+    // A driver may take a tenth of a second to compile each filtered wave: too long to wait for each new
+    // wave.
     if (waves.size() <= (window && request.filter ? 1 : few_waves)) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
         // Not in a window, where each scale would need its own pipeline.

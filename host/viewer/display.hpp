@@ -24,7 +24,7 @@ DisplayConstants display_constants(const Document& document, std::span<const std
 /// Constants that show red, green and blue unchanged.
 DisplayConstants colours_constants();
 
-/// The stops of the document's colour map, filled up with its last one: red, green, blue and position,
+/// Returns the stops of the document's colour map, the last one repeated: red, green, blue and position,
 /// rounded to 8 bits.
 std::array<std::array<float, 4>, most_stops> stops_of(const Document& document);
 

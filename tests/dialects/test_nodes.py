@@ -366,7 +366,7 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(menus, ["node.add_gabor_noise"])
 
 
-# Draws every eighth pixel of a picture of 256 x 256 by code for Shadertoy, without and with a pressed mouse.
+# Draws every eighth pixel of a 256 x 256 picture with code for Shadertoy, twice: with the mouse button up and down.
 SHADERTOY = """#version 450
 layout(local_size_x = 8) in;
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };

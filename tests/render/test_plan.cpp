@@ -89,7 +89,7 @@ TEST_CASE("a window filters with one pipeline at all scales, and a picture with 
     CHECK(constants()[passes::wide_waves_id] == 0b10);
     viewport.blocks = Blocks::fixed;
     const Constants near = constants();
-    CHECK(near[passes::few_waves_id] == 0); // the same for any number above one
+    CHECK(near[passes::few_waves_id] == 0); // one pipeline for any number of waves above one
     for (const double zoom : {0.02, 0.1, 3.7, 50.0}) {
         viewport.camera.zoom = zoom;
         CHECK(constants() == near);
