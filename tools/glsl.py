@@ -20,7 +20,7 @@ LOGICAL = set("|| && == != < > <= >=".split())
 ASSIGNMENTS = set("= += -= *= /= %= &= |= ^= <<= >>=".split())
 # GLSL's functions that have a translation. The second ones turn vectors into a number.
 FUNCTIONS = """abs acos asin atan ceil clamp cos cross distance dot exp exp2 floor fract inversesqrt length log log2 max
-    min mix normalize pow sign sin smoothstep sqrt step tan uintBitsToFloat""".split()
+    min mix normalize pow sign sin smoothstep sqrt step tan trunc uintBitsToFloat""".split()
 REDUCING = {"dot", "length", "distance"}
 
 

@@ -16,7 +16,8 @@ struct alignas(16) OceanBand {
     passes::vec2 slopes;
     int exponent;
     float low;
-    alignas(16) float quarter[4];
+    alignas(16) float steps[4];
+    float last_step;
     alignas(16) float spread[3];
     passes::vec2 widen;
     passes::ivec2 drift;
@@ -28,7 +29,7 @@ struct Ocean {
     passes::vec2 tail;
     OceanBand band[GABOR_OCEAN_BANDS + 1];
 };
-static_assert(sizeof(Ocean) == 48 + (GABOR_OCEAN_BANDS + 1) * 80);
+static_assert(sizeof(Ocean) == 48 + (GABOR_OCEAN_BANDS + 1) * 96);
 
 } // namespace
 
@@ -47,7 +48,8 @@ std::vector<std::byte> ocean_table(const Sea& sea) {
                          {b.slopes.x, b.slopes.y},
                          b.exponent,
                          b.low,
-                         {b.quarter.x, b.quarter.y, b.quarter.z, b.quarter.w},
+                         {b.steps.x, b.steps.y, b.steps.z, b.steps.w},
+                         b.last_step,
                          {b.spread.x, b.spread.y, b.spread.z},
                          {b.widen.x, b.widen.y},
                          {b.drift.x, b.drift.y}};

@@ -29,7 +29,9 @@ Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(
     const vk::raii::Device& logical = device.state().device;
     state_->bytes = bytes;
     state_->buffer = vk::raii::Buffer(
-        logical, {{}, bytes, Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+        logical, {{},
+                  bytes,
+                  Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst});
     const vk::MemoryRequirements needs = state_->buffer.getMemoryRequirements();
     const bool host = memory != Memory::device;
     const vk::MemoryPropertyFlags preferred =

@@ -18,7 +18,8 @@ using Words = std::vector<std::uint32_t>;
 
 // Returns the module as if it had been compiled with these constants. Without this, SwiftShader would keep
 // the branches that they exclude, and lavapipe would compile many of them.
-Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants) {
+Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants,
+                  bool optimized) {
     std::unordered_map<std::uint32_t, Words> values;
     for (std::uint32_t id = 0; id < constants.size(); ++id)
         values[id] = {constants[id]};
@@ -33,12 +34,19 @@ Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uin
         .RegisterPass(spvtools::CreateDeadBranchElimPass())
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass());
+    if (optimized)
+        optimizer.RegisterPerformancePasses();
     spvtools::OptimizerOptions options;
     options.set_run_validator(false); // glslang's output is valid
     Words result;
     if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
         throw std::runtime_error("SPIRV-Tools cannot specialize a pass: " + messages);
     return result;
+}
+
+vk::DescriptorType type_of(const Pass::Interface& interface, std::uint32_t binding) {
+    return interface.uniform && binding + 1 == interface.buffers ? vk::DescriptorType::eUniformBuffer
+                                                                 : vk::DescriptorType::eStorageBuffer;
 }
 
 } // namespace
@@ -51,7 +59,7 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
 
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < interface.buffers; ++i)
-        bindings.emplace_back(i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute);
+        bindings.emplace_back(i, type_of(interface, i), 1, vk::ShaderStageFlagBits::eCompute);
     state_->set_layout =
         vk::raii::DescriptorSetLayout(logical, vk::DescriptorSetLayoutCreateInfo({}, bindings));
 
@@ -61,7 +69,7 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
         layout.setPushConstantRanges(push);
     state_->layout = vk::raii::PipelineLayout(logical, layout);
 
-    const Words words = specialized(spirv, constants);
+    const Words words = specialized(spirv, constants, interface.optimized);
     const vk::raii::ShaderModule module(logical, {{}, words.size() * sizeof(words.front()), words.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     const auto flags = interface.statistics && device.state().executable_properties
@@ -109,19 +117,21 @@ struct Job::State {
 Job::Job(const Device& device, const Pass& pass, const Buffers& buffers)
     : state_(new State{device.state(), pass.state()}) {
     const vk::raii::Device& logical = device.state().device;
-    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
-                                      static_cast<std::uint32_t>(buffers.size()));
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (std::uint32_t i = 0; i < buffers.size(); ++i)
+        sizes.emplace_back(type_of(pass.state().interface, i), 1);
     state_->descriptors = vk::raii::DescriptorPool(
-        logical, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size));
+        logical,
+        vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes));
     vk::raii::DescriptorSets sets(
         logical, vk::DescriptorSetAllocateInfo(*state_->descriptors, *pass.state().set_layout));
     state_->set = std::move(sets.front());
 
-    std::vector<vk::DescriptorBufferInfo> infos;
-    for (const Buffer& buffer : buffers)
-        infos.emplace_back(*buffer.state().buffer, 0, VK_WHOLE_SIZE);
-    logical.updateDescriptorSets(
-        vk::WriteDescriptorSet(*state_->set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, infos), {});
+    for (std::uint32_t i = 0; i < buffers.size(); ++i) {
+        const vk::DescriptorBufferInfo info(*buffers[i].get().state().buffer, 0, VK_WHOLE_SIZE);
+        logical.updateDescriptorSets(
+            vk::WriteDescriptorSet(*state_->set, i, 0, type_of(pass.state().interface, i), {}, info), {});
+    }
 
     state_->pool = vk::raii::CommandPool(logical, {{}, device.state().family});
     vk::raii::CommandBuffers commands(logical, {*state_->pool, vk::CommandBufferLevel::ePrimary, 1});

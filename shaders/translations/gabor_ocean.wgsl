@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 889abcf058de8108.
+// naga 30.0.1 made it from GLSL with the digest 3817ebfc89a0f428.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -15,15 +15,16 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves from one wavelength to half of it. `low`, `quarter` and `spread` are multiples of powers of 2, so that sums are exact.
+// Waves from one wavelength to half of it. `low`, the steps and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     amplitude: f32, // rms height in metres
     slopes: vec2<f32>, // variance of the slopes along the band's direction and across it
     exponent: i32, // the spacing of nodes is 2^exponent metres
     low: f32, // 65536 times the lowest frequency in Hz
-    quarter: vec4<f32>, // the ranges of frequency that have a quarter of the power each, in 1/1024 of the lowest frequency
-    spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1], here
-    widen: vec2<f32>, // times 4092, times a linear function of the frequency, here times 16384
+    steps: vec4<f32>, // how fast the frequency rises in the first eighth of the power, and how much faster in the next three quarters
+    last_step: f32, // and in the last eighth
+    spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1],
+    widen: vec2<f32>, // times a linear function of the frequency
     drift: vec2<i32>, // 32768 times the group velocity in nodes per second
 }
 
@@ -36,15 +37,14 @@ struct GaborOcean {
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
     band: array<GaborOceanBand, 10>, // the swell is the last
 }
-
 // GaborOcean gabor_ocean(f32 wind)
 // GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions
-//     and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other
-//     values are rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer
-//     fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks
-//     for heights: the integers may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions and a sharp
+//     peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other values are
+//     rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer fraction of it, so a loop
+//     should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers
+//     may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -54,147 +54,52 @@ struct GaborWater {
     fold: f32, // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.7
     lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
-
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
-
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
 //     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
 //     nor a loop. dx and dy are dpdx(p), dpdy(p).
-
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-
 // GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
 //     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
 //     vec2f(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
-// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda,
-// "Random seas and design of maritime structures", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the
-// sea surface from photographs of the sun's glitter", 1954.
+// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda, "Random
+// seas", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum: an
-// angle d from the band's direction and a frequency F, from which the wave number follows by the dispersion relation of
-// deep water, (2 pi f)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen
-// from there, phases turn by F - k.V. With V = g / (4 pi f0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer,
-// so that the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
+// Each band is a lattice noise of two taps whose nodes have wave vectors of their own, drawn from the band's part of the spectrum:
+// an angle d from the band's direction and a frequency F, from which the wave number follows by the dispersion relation of deep
+// water, (2 pi F)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from
+// there, phases turn by F - k.V. With V = g / (4 pi F0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer, so that
+// the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
-// Bands 1 to 3 hold most of the height. There and in the swell, three nodes along each axis, of normal amplitudes, keep it normal. In the
-// other bands, which hold most of the slopes, two nodes suffice, and uniform amplitudes make up for the kurtosis that the
-// waves' directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
+// Bands 1 to 3 and the swell hold most of the height: there, amplitudes are normal. In the others, their squares are uniform, to make
+// up for the kurtosis that different directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
 
 fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32, sharp: f32) -> vec2<f32> {
     var below: f32;
     var local_11: f32;
     var apart: f32;
-    var squares: f32;
-    below = (peak / f);
+    below = ((peak * peak) / (f * f));
     if (f < peak) {
         local_11 = 0.07f;
     } else {
         local_11 = 0.09f;
     }
-    let _e13 = local_11;
-    apart = (((f / peak) - 1f) / _e13);
-    squares = (((f * f) * f) * f);
-    let _e20 = below;
-    let _e21 = below;
-    below = (_e20 * _e21);
-    let _e26 = apart;
-    let _e28 = apart;
-    let _e33 = below;
-    let _e35 = below;
-    let _e41 = squares;
-    return (((scale / f) * exp(((sharp * exp(((-0.5f * _e26) * _e28))) - ((1.25f * _e33) * _e35)))) * vec2<f32>((1f / _e41), 1f));
-}
-
-// The position in a band, from 0 to 424, below which this share of the power lies. `sums` are powers up to the ends of four
-// intervals, `starts` and `ends` the densities at their ends; in between, the density is linear.
-fn gabor_impl_quantile(share: f32, sums: vec4<f32>, starts: vec4<f32>, ends: vec4<f32>) -> f32 {
-    var share_1: f32;
-    var local_12: vec4<f32>;
-    var local_13: vec4<f32>;
-    var local_14: vec4<f32>;
-    var found: vec4<f32>;
-    var rest: f32;
-    var start: f32;
-    var within_1: f32;
-    var local_15: f32;
-    var local_16: f32;
-    var local_17: f32;
-    share_1 = share;
-    let _e5 = share_1;
-    share_1 = (_e5 * sums.w);
-    let _e8 = share_1;
-    if (_e8 < sums.x) {
-        local_14 = vec4<f32>(0f, sums.x, starts.x, ends.x);
-    } else {
-        let _e16 = share_1;
-        if (_e16 < sums.y) {
-            let _e19 = sums.xy;
-            local_13 = vec4<f32>(_e19.x, _e19.y, starts.y, ends.y);
-        } else {
-            let _e25 = share_1;
-            if (_e25 < sums.z) {
-                let _e28 = sums.yz;
-                local_12 = vec4<f32>(_e28.x, _e28.y, starts.z, ends.z);
-            } else {
-                let _e34 = sums.zw;
-                local_12 = vec4<f32>(_e34.x, _e34.y, starts.w, ends.w);
-            }
-            let _e41 = local_12;
-            local_13 = _e41;
-        }
-        let _e43 = local_13;
-        local_14 = _e43;
-    }
-    let _e45 = local_14;
-    found = _e45;
-    let _e47 = share_1;
-    let _e48 = found;
-    let _e51 = found;
-    let _e53 = found;
-    rest = ((_e47 - _e48.x) / (_e51.y - _e53.x));
-    let _e59 = found;
-    let _e62 = found;
-    let _e64 = found;
-    start = ((2f * _e59.z) / (_e62.z + _e64.w));
-    let _e70 = rest;
-    let _e72 = start;
-    let _e73 = start;
-    let _e74 = start;
-    let _e78 = start;
-    let _e81 = rest;
-    within_1 = ((2f * _e70) / (_e72 + sqrt(max(((_e73 * _e74) + ((4f * (1f - _e78)) * _e81)), 0f))));
-    let _e91 = within_1;
-    let _e92 = share_1;
-    if (_e92 < sums.x) {
-        local_17 = 0f;
-    } else {
-        let _e96 = share_1;
-        if (_e96 < sums.y) {
-            local_16 = 1f;
-        } else {
-            let _e100 = share_1;
-            if (_e100 < sums.z) {
-                local_15 = 2f;
-            } else {
-                local_15 = 3f;
-            }
-            let _e106 = local_15;
-            local_16 = _e106;
-        }
-        let _e108 = local_16;
-        local_17 = _e108;
-    }
-    let _e110 = local_17;
-    return (106f * (_e91 + _e110));
+    let _e15 = local_11;
+    apart = (((f / peak) - 1f) / _e15);
+    let _e21 = apart;
+    let _e23 = apart;
+    let _e28 = below;
+    let _e30 = below;
+    return (((scale / f) * exp(((sharp * exp(((-0.5f * _e21) * _e23))) - ((1.25f * _e28) * _e30)))) * vec2<f32>((1f / (((f * f) * f) * f)), 1f));
 }
 
 fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
@@ -202,56 +107,52 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     var gravity: f32 = 9.81f;
     var tick: f32 = 0.000015258789f;
     var ocean: GaborOcean;
-    var local_18: i32;
+    var local_12: i32;
     var reach_1: f32;
     var peak_1: f32;
     var scale_1: f32;
     var sharp_1: f32 = 1.1939225f;
     var power_1: i32;
     var i: i32 = 0i;
-    var local_19: u32;
+    var local_13: u32;
     var low: f32;
     var remote: bool;
     var width: f32;
     var variance: f32;
     var sum_5: vec2<f32>;
-    var first_1: vec2<f32>;
-    var sums_2: vec4<f32>;
-    var starts_1: vec4<f32>;
-    var ends_1: vec4<f32>;
     var fit: vec4<f32>;
     var j_1: i32;
     var f_1: f32;
-    var step_: f32;
     var x_5: f32;
-    var middle: vec2<f32>;
-    var last: vec2<f32>;
-    var part: vec2<f32>;
     var above: f32;
-    var local_20: f32;
-    var local_21: f32;
+    var local_14: f32;
+    var local_15: f32;
     var s_2: f32;
     var here: f32;
+    var part: vec2<f32>;
     var deviation: f32;
     var narrow: f32;
     var c_1: f32;
     var widen: f32;
     var most: f32;
     var end: f32;
-    var rest_1: f32;
+    var rest: f32;
     var a_2: f32;
     var b_2: f32;
     var fourth_1: f32;
     var along: f32;
-    var speed: f32;
-    var quartile: vec3<f32>;
+    var knots: vec4<f32>;
+    var ahead: vec4<f32>;
+    var j_2: i32;
+    var part_1: f32;
     var band: GaborOceanBand;
-    var local_22: f32;
-    var local_23: f32;
+    var local_16: f32;
+    var local_17: f32;
     var tall: f32;
-    var local_24: i32;
-    var local_25: i32;
-    var local_26: f32;
+    var local_18: i32;
+    var local_19: i32;
+    var local_20: f32;
+    var speed: f32;
     direction_1 = direction;
     ocean.wind = clamp(wind, 2f, 30f);
     let _e16 = direction_1;
@@ -259,11 +160,11 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
     ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
     if (loop_ > 0i) {
-        local_18 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
+        local_12 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
     } else {
-        local_18 = 0i;
+        local_12 = 0i;
     }
-    let _e48 = local_18;
+    let _e48 = local_12;
     ocean.loop_ = _e48;
     let _e49 = gravity;
     let _e50 = ocean;
@@ -291,11 +192,11 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
         {
             let _e116 = i;
             if ((_e116 & 1i) == 0i) {
-                local_19 = 128u;
+                local_13 = 128u;
             } else {
-                local_19 = 181u;
+                local_13 = 181u;
             }
-            let _e124 = local_19;
+            let _e124 = local_13;
             let _e125 = power_1;
             let _e126 = i;
             low = (f32((_e124 << u32((_e125 + (_e126 / 2i))))) / 128f);
@@ -315,289 +216,277 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
                 }
             }
             let _e161 = low;
-            width = (0.10351562f * _e161);
+            width = (0.025878906f * _e161);
             variance = 0f;
             sum_5 = vec2(0f);
-            let _e169 = tick;
-            let _e170 = low;
-            let _e172 = peak_1;
-            let _e173 = scale_1;
-            let _e174 = sharp_1;
-            let _e175 = gabor_impl_spectrum((_e169 * _e170), _e172, _e173, _e174);
-            first_1 = _e175;
-            sums_2 = vec4(0f);
-            starts_1 = vec4(0f);
-            ends_1 = vec4(0f);
             fit = vec4(0f);
             j_1 = 0i;
             loop {
-                let _e191 = j_1;
-                if !((_e191 < 4i)) {
+                let _e174 = j_1;
+                if !((_e174 < 16i)) {
                     break;
                 }
                 {
-                    let _e198 = tick;
-                    let _e199 = low;
-                    let _e200 = j_1;
-                    let _e202 = width;
-                    f_1 = (_e198 * (_e199 + (f32(_e200) * _e202)));
-                    let _e207 = tick;
-                    let _e208 = width;
-                    step_ = (_e207 * _e208);
-                    let _e212 = j_1;
-                    x_5 = ((106f * f32(_e212)) - 159f);
-                    let _e218 = f_1;
-                    let _e220 = step_;
-                    let _e223 = peak_1;
-                    let _e224 = scale_1;
-                    let _e225 = sharp_1;
-                    let _e226 = gabor_impl_spectrum((_e218 + (0.5f * _e220)), _e223, _e224, _e225);
-                    middle = _e226;
-                    let _e228 = f_1;
-                    let _e229 = step_;
-                    let _e231 = peak_1;
-                    let _e232 = scale_1;
-                    let _e233 = sharp_1;
-                    let _e234 = gabor_impl_spectrum((_e228 + _e229), _e231, _e232, _e233);
-                    last = _e234;
-                    let _e236 = step_;
-                    let _e239 = first_1;
-                    let _e241 = middle;
-                    let _e244 = last;
-                    part = ((_e236 / 6f) * ((_e239 + (4f * _e241)) + _e244));
-                    let _e248 = sum_5;
-                    let _e249 = part;
-                    sum_5 = (_e248 + _e249);
-                    let _e251 = f_1;
-                    let _e253 = step_;
-                    let _e256 = peak_1;
-                    above = ((_e251 + (0.5f * _e253)) / _e256);
-                    let _e259 = remote;
-                    if _e259 {
-                        local_21 = 75f;
+                    let _e181 = tick;
+                    let _e182 = low;
+                    let _e183 = j_1;
+                    let _e187 = width;
+                    f_1 = (_e181 * (_e182 + ((f32(_e183) + 0.5f) * _e187)));
+                    let _e193 = j_1;
+                    x_5 = ((26.5f * f32(_e193)) - 198.75f);
+                    let _e199 = f_1;
+                    let _e200 = peak_1;
+                    above = (_e199 / _e200);
+                    let _e203 = remote;
+                    if _e203 {
+                        local_15 = 75f;
                     } else {
-                        let _e262 = above;
-                        let _e263 = above;
-                        if (_e263 < 1f) {
-                            local_20 = 4.06f;
+                        let _e206 = above;
+                        let _e207 = above;
+                        if (_e207 < 1f) {
+                            local_14 = 4.06f;
                         } else {
-                            local_20 = -2.34f;
+                            local_14 = -2.34f;
                         }
-                        let _e270 = local_20;
-                        local_21 = (9.77f * pow(_e262, _e270));
+                        let _e214 = local_14;
+                        local_15 = (9.77f * pow(_e206, _e214));
                     }
-                    let _e274 = local_21;
-                    s_2 = _e274;
-                    let _e277 = s_2;
-                    here = (0.5f / (_e277 + 1f));
-                    let _e282 = variance;
-                    let _e283 = part;
-                    let _e285 = here;
-                    variance = (_e282 + (_e283.x * _e285));
-                    let _e288 = fit;
-                    let _e289 = part;
-                    let _e291 = x_5;
-                    let _e292 = here;
-                    let _e294 = x_5;
-                    let _e295 = x_5;
-                    let _e297 = x_5;
-                    let _e298 = here;
-                    fit = (_e288 + (_e289.x * vec4<f32>(_e291, sqrt(_e292), (_e294 * _e295), (_e297 * sqrt(_e298)))));
-                    let _e304 = sums_2;
-                    let _e305 = _e304.yzw;
-                    let _e306 = sum_5;
-                    sums_2 = vec4<f32>(_e305.x, _e305.y, _e305.z, _e306.x);
-                    let _e312 = starts_1;
-                    let _e313 = _e312.yzw;
-                    let _e314 = first_1;
-                    starts_1 = vec4<f32>(_e313.x, _e313.y, _e313.z, _e314.x);
-                    let _e320 = ends_1;
-                    let _e321 = _e320.yzw;
-                    let _e322 = last;
-                    ends_1 = vec4<f32>(_e321.x, _e321.y, _e321.z, _e322.x);
-                    let _e328 = last;
-                    first_1 = _e328;
+                    let _e218 = local_15;
+                    s_2 = _e218;
+                    let _e221 = s_2;
+                    here = (0.5f / (_e221 + 1f));
+                    let _e226 = tick;
+                    let _e227 = width;
+                    let _e229 = f_1;
+                    let _e230 = peak_1;
+                    let _e231 = scale_1;
+                    let _e232 = sharp_1;
+                    let _e233 = gabor_impl_spectrum(_e229, _e230, _e231, _e232);
+                    part = ((_e226 * _e227) * _e233);
+                    let _e236 = sum_5;
+                    let _e237 = part;
+                    sum_5 = (_e236 + _e237);
+                    let _e239 = variance;
+                    let _e240 = part;
+                    let _e242 = here;
+                    variance = (_e239 + (_e240.x * _e242));
+                    let _e245 = fit;
+                    let _e246 = part;
+                    let _e248 = x_5;
+                    let _e249 = here;
+                    let _e251 = x_5;
+                    let _e252 = x_5;
+                    let _e254 = x_5;
+                    let _e255 = here;
+                    fit = (_e245 + (_e246.x * vec4<f32>(_e248, sqrt(_e249), (_e251 * _e252), (_e254 * sqrt(_e255)))));
                 }
                 continuing {
-                    let _e195 = j_1;
-                    j_1 = (_e195 + 1i);
+                    let _e178 = j_1;
+                    j_1 = (_e178 + 1i);
                 }
             }
-            let _e329 = variance;
-            let _e330 = sum_5;
-            variance = (_e329 / _e330.x);
-            let _e333 = fit;
-            let _e334 = sum_5;
-            fit = (_e333 / vec4(_e334.x));
-            let _e338 = variance;
-            deviation = sqrt(_e338);
-            let _e342 = variance;
-            narrow = ((0.5f / _e342) - 1.8f);
-            let _e348 = deviation;
-            let _e350 = narrow;
-            c_1 = ((0.9f * _e348) * clamp(_e350, 0f, 1f));
-            let _e357 = narrow;
-            let _e362 = fit;
-            let _e364 = fit;
-            let _e366 = fit;
-            let _e371 = fit;
-            let _e373 = fit;
-            let _e375 = fit;
-            let _e379 = deviation;
-            widen = ((clamp((0.3f * _e357), 0f, 1f) * (_e362.w - (_e364.x * _e366.y))) / ((_e371.z - (_e373.x * _e375.x)) * _e379));
-            let _e385 = widen;
-            widen = (0.000061035156f * floor((clamp((16384f * _e385), -32f, 32f) + 0.5f)));
-            let _e398 = widen;
-            let _e402 = fit;
-            let _e404 = widen;
-            most = (1f / ((1f + (212f * abs(_e398))) - (_e402.x * _e404)));
-            let _e410 = deviation;
-            let _e412 = most;
-            let _e413 = c_1;
-            end = min((1.8f * _e410), (_e412 - _e413));
-            let _e417 = variance;
-            let _e418 = c_1;
-            let _e419 = c_1;
-            rest_1 = (_e417 - ((_e418 * _e419) / 3f));
-            let _e426 = rest_1;
-            let _e429 = end;
-            let _e431 = end;
-            let _e438 = end;
-            a_2 = ((sqrt(max(((0.3047619f * _e426) - ((0.0304762f * _e429) * _e431)), 0f)) - (0.1142857f * _e438)) / 0.152381f);
-            let _e444 = end;
-            let _e445 = a_2;
-            b_2 = (_e444 - _e445);
-            let _e448 = a_2;
-            let _e449 = a_2;
-            let _e451 = a_2;
-            let _e454 = a_2;
-            let _e457 = b_2;
-            let _e461 = b_2;
-            let _e462 = b_2;
-            let _e465 = a_2;
-            let _e467 = a_2;
-            let _e470 = a_2;
-            let _e472 = b_2;
-            let _e476 = b_2;
-            let _e478 = b_2;
-            let _e483 = c_1;
-            let _e484 = c_1;
-            let _e487 = rest_1;
-            let _e490 = c_1;
-            let _e492 = c_1;
-            fourth_1 = (((((_e448 * _e449) * _e451) * ((0.2f * _e454) + (0.5714286f * _e457))) + ((_e461 * _e462) * ((((0.6666667f * _e465) * _e467) + ((0.36363637f * _e470) * _e472)) + ((0.07692308f * _e476) * _e478)))) + ((_e483 * _e484) * ((2f * _e487) + ((0.2f * _e490) * _e492))));
-            let _e500 = variance;
-            let _e504 = fourth_1;
-            along = ((1f - (4f * _e500)) + (4f * _e504));
-            let _e508 = gravity;
-            let _e510 = tick;
-            let _e512 = low;
-            speed = (_e508 / (((12.566371f * _e510) * _e512) * 1.1892071f));
-            let _e519 = sums_2;
-            let _e520 = starts_1;
-            let _e521 = ends_1;
-            let _e522 = gabor_impl_quantile(0.2443f, _e519, _e520, _e521);
-            let _e524 = sums_2;
-            let _e525 = starts_1;
-            let _e526 = ends_1;
-            let _e527 = gabor_impl_quantile(0.4885f, _e524, _e525, _e526);
-            let _e529 = sums_2;
-            let _e530 = starts_1;
-            let _e531 = ends_1;
-            let _e532 = gabor_impl_quantile(0.7328f, _e529, _e530, _e531);
-            quartile = floor((vec3<f32>(_e522, _e527, _e532) + vec3(0.5f)));
-            let _e540 = remote;
-            if _e540 {
+            let _e261 = variance;
+            let _e262 = sum_5;
+            variance = (_e261 / _e262.x);
+            let _e265 = fit;
+            let _e266 = sum_5;
+            fit = (_e265 / vec4(_e266.x));
+            let _e270 = variance;
+            deviation = sqrt(_e270);
+            let _e274 = variance;
+            narrow = ((0.5f / _e274) - 1.8f);
+            let _e280 = deviation;
+            let _e282 = narrow;
+            c_1 = ((0.9f * _e280) * clamp(_e282, 0f, 1f));
+            let _e289 = narrow;
+            let _e294 = fit;
+            let _e296 = fit;
+            let _e298 = fit;
+            let _e303 = fit;
+            let _e305 = fit;
+            let _e307 = fit;
+            let _e311 = deviation;
+            widen = ((clamp((0.3f * _e289), 0f, 1f) * (_e294.w - (_e296.x * _e298.y))) / ((_e303.z - (_e305.x * _e307.x)) * _e311));
+            let _e316 = widen;
+            widen = (floor((clamp((16384f * _e316), -32f, 32f) + 0.5f)) / 16384f);
+            let _e330 = widen;
+            let _e334 = fit;
+            let _e336 = widen;
+            most = (1f / ((1f + (212f * abs(_e330))) - (_e334.x * _e336)));
+            let _e342 = deviation;
+            let _e344 = most;
+            let _e345 = c_1;
+            end = min((1.8f * _e342), (_e344 - _e345));
+            let _e349 = variance;
+            let _e350 = c_1;
+            let _e351 = c_1;
+            rest = (_e349 - ((_e350 * _e351) / 3f));
+            let _e358 = rest;
+            let _e361 = end;
+            let _e363 = end;
+            let _e370 = end;
+            a_2 = ((sqrt(max(((0.3047619f * _e358) - ((0.0304762f * _e361) * _e363)), 0f)) - (0.1142857f * _e370)) / 0.152381f);
+            let _e376 = end;
+            let _e377 = a_2;
+            b_2 = (_e376 - _e377);
+            let _e380 = a_2;
+            let _e381 = a_2;
+            let _e383 = a_2;
+            let _e386 = a_2;
+            let _e389 = b_2;
+            let _e393 = b_2;
+            let _e394 = b_2;
+            let _e397 = a_2;
+            let _e399 = a_2;
+            let _e402 = a_2;
+            let _e404 = b_2;
+            let _e408 = b_2;
+            let _e410 = b_2;
+            let _e415 = c_1;
+            let _e416 = c_1;
+            let _e419 = rest;
+            let _e422 = c_1;
+            let _e424 = c_1;
+            fourth_1 = (((((_e380 * _e381) * _e383) * ((0.2f * _e386) + (0.5714286f * _e389))) + ((_e393 * _e394) * ((((0.6666667f * _e397) * _e399) + ((0.36363637f * _e402) * _e404)) + ((0.07692308f * _e408) * _e410)))) + ((_e415 * _e416) * ((2f * _e419) + ((0.2f * _e422) * _e424))));
+            let _e432 = variance;
+            let _e436 = fourth_1;
+            along = ((1f - (4f * _e432)) + (4f * _e436));
+            knots = vec4(0f);
+            ahead = vec4<f32>(0.1236f, 0.3709f, 0.6181f, 0.8654f);
+            j_2 = 0i;
+            loop {
+                let _e451 = j_2;
+                if !((_e451 < 16i)) {
+                    break;
+                }
+                {
+                    let _e458 = tick;
+                    let _e459 = width;
+                    let _e461 = sum_5;
+                    let _e464 = tick;
+                    let _e465 = low;
+                    let _e466 = j_2;
+                    let _e470 = width;
+                    let _e474 = peak_1;
+                    let _e475 = scale_1;
+                    let _e476 = sharp_1;
+                    let _e477 = gabor_impl_spectrum((_e464 * (_e465 + ((f32(_e466) + 0.5f) * _e470))), _e474, _e475, _e476);
+                    part_1 = (((_e458 * _e459) / _e461.x) * _e477.x);
+                    let _e481 = knots;
+                    let _e483 = ahead;
+                    let _e484 = part_1;
+                    knots = (_e481 + (26.5f * clamp((_e483 / vec4(_e484)), vec4(0f), vec4(1f))));
+                    let _e494 = ahead;
+                    let _e495 = part_1;
+                    ahead = (_e494 - vec4(_e495));
+                }
+                continuing {
+                    let _e455 = j_2;
+                    j_2 = (_e455 + 1i);
+                }
+            }
+            let _e499 = remote;
+            if _e499 {
+                let _e501 = ocean;
+                let _e505 = ocean;
+                local_17 = ((0.0625f * _e501.swell.x) * _e505.swell.x);
+            } else {
+                let _e509 = low;
+                if (_e509 > 262144f) {
+                    local_16 = 0f;
+                } else {
+                    let _e513 = sum_5;
+                    local_16 = _e513.x;
+                }
+                let _e516 = local_16;
+                local_17 = _e516;
+            }
+            let _e518 = local_17;
+            tall = _e518;
+            let _e521 = tall;
+            band.amplitude = sqrt(_e521);
+            let _e525 = tall;
+            let _e527 = sum_5;
+            let _e530 = sum_5;
+            let _e533 = along;
+            let _e535 = along;
+            band.slopes = ((((16.195057f * _e525) * _e527.y) / _e530.x) * vec2<f32>(_e533, (1f - _e535)));
+            let _e539 = remote;
+            if !(_e539) {
                 let _e542 = ocean;
-                let _e546 = ocean;
-                local_23 = ((0.0625f * _e542.swell.x) * _e546.swell.x);
+                let _e544 = band;
+                ocean.tail = (_e542.tail - _e544.slopes);
+            }
+            let _e548 = remote;
+            if _e548 {
+                let _e550 = peak_1;
+                let _e551 = peak_1;
+                local_19 = i32(floor(log2((18f / (_e550 * _e551)))));
             } else {
-                let _e550 = low;
-                if (_e550 > 262144f) {
-                    local_22 = 0f;
+                let _e559 = power_1;
+                let _e562 = i;
+                let _e564 = i;
+                let _e567 = i;
+                if ((_e564 > 0i) && (_e567 < 4i)) {
+                    local_18 = 1i;
                 } else {
-                    let _e554 = sum_5;
-                    local_22 = _e554.x;
+                    local_18 = -1i;
                 }
-                let _e557 = local_22;
-                local_23 = _e557;
+                let _e575 = local_18;
+                local_19 = (((34i - (2i * _e559)) - _e562) + _e575);
             }
-            let _e559 = local_23;
-            tall = _e559;
-            let _e562 = tall;
-            band.amplitude = sqrt(_e562);
-            let _e566 = tall;
-            let _e568 = sum_5;
-            let _e571 = sum_5;
-            let _e574 = along;
-            let _e576 = along;
-            band.slopes = ((((16.195057f * _e566) * _e568.y) / _e571.x) * vec2<f32>(_e574, (1f - _e576)));
-            let _e580 = remote;
-            if !(_e580) {
-                let _e583 = ocean;
-                let _e585 = band;
-                ocean.tail = (_e583.tail - _e585.slopes);
-            }
-            let _e589 = remote;
-            if _e589 {
-                let _e591 = peak_1;
-                let _e592 = peak_1;
-                local_25 = i32(floor(log2((9f / (_e591 * _e592)))));
+            let _e578 = local_19;
+            band.exponent = _e578;
+            let _e580 = low;
+            band.low = _e580;
+            let _e582 = knots;
+            let _e584 = knots;
+            let _e585 = _e584.xyz;
+            band.steps = (floor((((_e582 - vec4<f32>(0f, _e585.x, _e585.y, _e585.z)) * vec4<f32>(2f, 1f, 1f, 1f)) + vec4(0.5f))) / vec4(256f));
+            let _e607 = knots;
+            let _e616 = band;
+            band.last_step = ((floor(((2f * (424f - _e607.w)) + 0.5f)) / 256f) - _e616.steps.w);
+            let _e621 = band;
+            let _e624 = band;
+            let _e626 = _e624.steps.xyz;
+            band.steps = (_e621.steps - vec4<f32>(0f, _e626.x, _e626.y, _e626.z));
+            let _e634 = a_2;
+            let _e635 = b_2;
+            let _e636 = c_1;
+            band.spread = (floor((4092f * vec3<f32>(_e634, _e635, _e636))) * vec3<f32>(1f, 0.00048828125f, 1f));
+            let _e648 = fit;
+            let _e652 = widen;
+            let _e655 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - ((_e648.x + 1236f) * _e652)), _e655)));
+            let _e659 = ocean;
+            if (_e659.loop_ > 0i) {
+                local_20 = 0f;
             } else {
-                let _e600 = power_1;
-                let _e603 = i;
-                let _e605 = i;
-                let _e608 = i;
-                if ((_e605 > 0i) && (_e608 < 4i)) {
-                    local_24 = 0i;
-                } else {
-                    local_24 = 1i;
-                }
-                let _e615 = local_24;
-                local_25 = (((34i - (2i * _e600)) - _e603) - _e615);
+                let _e665 = gravity;
+                let _e668 = tick;
+                let _e670 = low;
+                let _e675 = band;
+                local_20 = (((32768f * _e665) / (((12.566371f * _e668) * _e670) * 1.1892071f)) * exp2(-(f32(_e675.exponent))));
             }
-            let _e618 = local_25;
-            band.exponent = _e618;
-            let _e620 = low;
-            band.low = _e620;
-            let _e622 = quartile;
-            let _e629 = quartile;
-            band.quarter = (vec4<f32>(_e622.x, _e622.y, _e622.z, 424f) - vec4<f32>(0f, _e629.x, _e629.y, _e629.z));
-            let _e637 = a_2;
-            let _e638 = b_2;
-            let _e639 = c_1;
-            band.spread = floor((4092f * vec3<f32>(_e637, _e638, _e639)));
-            let _e646 = fit;
-            let _e648 = widen;
-            let _e651 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - (_e646.x * _e648)), _e651)));
-            let _e655 = speed;
-            let _e656 = ocean;
-            if (_e656.loop_ > 0i) {
-                local_26 = 0f;
-            } else {
-                let _e662 = band;
-                local_26 = (32768f * exp2(-(f32(_e662.exponent))));
-            }
-            let _e669 = local_26;
-            speed = (_e655 * _e669);
-            let _e672 = speed;
-            let _e674 = direction_1;
-            let _e676 = gabor_impl_wave((0.15915494f * _e674));
-            band.drift = vec2<i32>(floor(((_e672 * _e676) + vec2(0.5f))));
-            let _e683 = i;
-            let _e686 = band;
-            ocean.band[_e683] = _e686;
+            let _e682 = local_20;
+            speed = _e682;
+            let _e685 = speed;
+            let _e687 = direction_1;
+            let _e689 = gabor_impl_wave((0.15915494f * _e687));
+            band.drift = vec2<i32>(floor(((_e685 * _e689) + vec2(0.5f))));
+            let _e696 = i;
+            let _e699 = band;
+            ocean.band[_e696] = _e699;
         }
         continuing {
             let _e113 = i;
             i = (_e113 + 1i);
         }
     }
-    let _e688 = ocean;
-    ocean.tail = max(_e688.tail, vec2(0f));
-    let _e693 = ocean;
-    return _e693;
+    let _e701 = ocean;
+    ocean.tail = max(_e701.tail, vec2(0f));
+    let _e706 = ocean;
+    return _e706;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -605,539 +494,447 @@ fn gabor_ocean(wind: f32) -> GaborOcean {
     return _e6;
 }
 
-// The whole part of x >= 0. For it, C++ compilers have no fast floor.
-fn gabor_impl_whole(x: f32) -> f32 {
-    return floor(x);
+fn gabor_impl_whole(x: vec4<f32>) -> vec4<f32> {
+    return trunc(x);
 }
 
-// Adds a node's wave. `from` is the offset from the node in metres, `window` is (value, derivatives). `wave` is the wave number of
-// rise 1, in turns per metre. The first parts of `shape` make an amplitude normal, as in gabor_impl_amplitude, or uniform; the
-// last is its deviation, times k / wave. `quantum` is (65536 / loop, loop / 65536), or 0. `squeeze` collects the derivatives of the shift. It and
-// `lost` have the parts xx, xy and xx + yy.
-fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, word: u32, from_: vec2<f32>, window: vec3<f32>, band: GaborOceanBand, heading: vec2<f32>, quantum: vec2<f32>, wave: f32, shape: vec3<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>) {
-    var bits: u32;
-    var share_2: f32;
-    var below_1: vec4<f32>;
-    var rise: f32;
-    var u_1: f32;
-    var v: f32;
-    var bent: f32;
-    var side_1: f32;
-    var angle: f32;
-    var part_1: f32;
-    var lag: f32;
-    var steep: f32;
-    var carried: f32;
-    var turning: f32;
-    var k: f32;
-    var around: f32;
-    var local_27: f32;
-    var chord: f32;
-    var unit: vec2<f32>;
-    var turns: f32;
-    var uniforms: vec2<f32>;
-    var amplitude_2: vec2<f32>;
-    var z_1: vec2<f32>;
-    var steps: vec2<f32>;
-    var kept: f32;
-    var along_1: vec2<f32>;
-    var squares_1: vec3<f32>;
-    var power_2: f32;
-    bits = ((word ^ (word >> 15u)) * 3545902487u);
-    let _e20 = bits;
-    let _e21 = bits;
-    bits = (_e20 ^ (_e21 >> 15u));
-    let _e26 = bits;
-    share_2 = (0.00390625f * f32((_e26 >> 22u)));
-    let _e33 = share_2;
-    below_1 = (band.quarter * clamp((vec4(_e33) - vec4<f32>(0f, 1f, 2f, 3f)), vec4(0f), vec4(1f)));
-    let _e49 = below_1;
-    let _e52 = below_1;
-    let _e55 = below_1;
-    let _e58 = below_1;
-    let _e61 = gabor_impl_whole(((((1024f + _e49.x) + _e52.y) + _e55.z) + _e58.w));
-    rise = _e61;
-    let _e64 = bits;
-    u_1 = ((2f * f32(((_e64 >> 11u) & 2047u))) - 2047f);
-    let _e75 = bits;
-    v = ((2f * f32((_e75 & 2047u))) - 2047f);
-    let _e90 = u_1;
-    let _e92 = u_1;
-    let _e94 = gabor_impl_whole(((0.00048828125f * _e90) * _e92));
-    let _e97 = gabor_impl_whole((band.spread.x + ((0.00048828125f * band.spread.y) * _e94)));
-    bent = _e97;
-    let _e99 = u_1;
-    let _e100 = bent;
-    let _e102 = v;
-    side_1 = ((_e99 * _e100) + (_e102 * band.spread.z));
-    let _e109 = side_1;
-    let _e112 = gabor_impl_whole((0.00012207031f * abs(_e109)));
-    let _e117 = rise;
-    angle = (_e112 * (band.widen.x + (band.widen.y * (_e117 - 1236f))));
-    let _e125 = angle;
-    let _e127 = gabor_impl_whole((0.00012207031f * _e125));
-    part_1 = _e127;
-    let _e130 = part_1;
-    let _e132 = part_1;
-    let _e134 = gabor_impl_whole(((0.00048828125f * _e130) * _e132));
-    lag = _e134;
-    let _e137 = rise;
-    let _e139 = rise;
-    let _e141 = gabor_impl_whole(((0.0009765625f * _e137) * _e139));
-    steep = _e141;
-    let _e143 = steep;
-    let _e145 = steep;
-    let _e147 = lag;
-    let _e149 = gabor_impl_whole(((0.0009765625f * _e145) * _e147));
-    carried = (_e143 - _e149);
-    let _e154 = rise;
-    let _e157 = carried;
-    let _e161 = gabor_impl_whole((0.0078125f * ((2048f * _e154) - (861f * _e157))));
-    let _e166 = gabor_impl_whole((_e161 * (0.000061035156f * band.low)));
-    turning = _e166;
-    if (quantum.x > 0f) {
-        {
-            let _e172 = rise;
-            let _e181 = gabor_impl_whole(((_e172 * ((0.0009765625f * band.low) * quantum.y)) + 0.5f));
-            turning = (quantum.x * max(_e181, 1f));
-            let _e186 = turning;
-            rise = ((1024f * _e186) / band.low);
-        }
-    }
-    let _e190 = rise;
-    let _e192 = rise;
-    k = ((wave * _e190) * _e192);
-    let _e196 = k;
-    around = (6.2831855f * _e196);
-    let _e199 = side_1;
-    if (_e199 < 0f) {
-        local_27 = -0.00000011920929f;
-    } else {
-        local_27 = 0.00000011920929f;
-    }
-    let _e206 = local_27;
-    let _e207 = angle;
-    chord = (_e206 * _e207);
-    let _e212 = chord;
-    let _e214 = chord;
-    let _e217 = chord;
-    let _e220 = chord;
-    let _e222 = chord;
-    let _e228 = gabor_impl_product(heading, vec2<f32>((1f - ((0.5f * _e212) * _e214)), (_e217 * sqrt((1f - ((0.25f * _e220) * _e222))))));
-    unit = _e228;
-    let _e230 = turning;
-    let _e241 = turning;
-    turns = (f32((((u32(_e230) & 65535u) * (u32(second) & 65535u)) & 65535u)) + (_e241 * fraction));
-    uniforms = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
-    let _e253 = uniforms;
-    let _e255 = uniforms;
-    let _e264 = uniforms;
-    let _e265 = uniforms;
-    amplitude_2 = ((_e253 - (shape.x * clamp(_e255, vec2(-2011925800f), vec2(2011925800f)))) * ((_e264 * _e265) + vec2(shape.y)));
-    let _e272 = amplitude_2;
-    let _e273 = k;
-    let _e274 = unit;
-    let _e278 = turns;
-    let _e281 = gabor_impl_wave(((_e273 * dot(_e274, from_)) - (0.000015258789f * _e278)));
-    let _e282 = gabor_impl_product(_e272, _e281);
-    z_1 = _e282;
-    let _e284 = around;
-    let _e285 = unit;
-    let _e287 = unit;
-    steps = (_e284 * vec2<f32>(dot(_e285, dx), dot(_e287, dy)));
-    let _e294 = steps;
-    let _e295 = steps;
-    kept = exp((-0.125f * dot(_e294, _e295)));
-    let _e300 = z_1;
-    let _e301 = kept;
-    z_1 = (_e300 * _e301);
-    let _e304 = (*sum);
-    let _e306 = z_1;
-    (*sum).slope = (_e304.slope + (_e306.y * window.yz));
-    let _e311 = z_1;
-    z_1 = (_e311 * window.x);
-    let _e314 = z_1;
-    let _e316 = unit;
-    along_1 = (_e314.x * _e316);
-    let _e319 = unit;
-    let _e321 = unit;
-    let _e322 = (_e319.x * _e321);
-    squares_1 = vec3<f32>(_e322.x, _e322.y, 1f);
-    let _e331 = around;
-    power_2 = ((shape.z * window.x) * _e331);
-    let _e335 = (*sum);
-    let _e337 = z_1;
-    (*sum).height = (_e335.height + _e337.y);
-    let _e341 = (*sum);
-    let _e343 = around;
-    let _e344 = along_1;
-    (*sum).slope = (_e341.slope + (_e343 * _e344));
-    let _e348 = (*sum);
-    let _e350 = along_1;
-    (*sum).shift = (_e348.shift + _e350);
-    let _e352 = (*squeeze);
-    let _e353 = around;
-    let _e354 = z_1;
-    let _e357 = squares_1;
-    (*squeeze) = (_e352 + ((_e353 * _e354.y) * _e357));
-    let _e361 = (*sum);
-    let _e363 = power_2;
-    let _e364 = power_2;
-    let _e367 = kept;
-    let _e368 = kept;
-    let _e372 = squares_1;
-    (*sum).lost = (_e361.lost + (((_e363 * _e364) * (1f - (_e367 * _e368))) * _e372));
-    return;
-}
-
-// Splits 2^-exponent (cell + local) - drift (second + fraction) into a whole number and a rest, exactly.
-fn gabor_impl_float_by(cell: i32, local: f32, exponent: i32, drift: i32, second: i32, fraction: f32, whole: ptr<function, i32>, rest: ptr<function, f32>) {
-    var high: i32;
-    var low_1: i32;
-    var up: i32;
-    var down: i32;
-    high = ((second >> 16u) * drift);
-    low_1 = ((second & 65535i) * drift);
-    let _e19 = high;
-    let _e21 = low_1;
-    (*whole) = ((-2i * _e19) - (_e21 >> 15u));
-    let _e26 = low_1;
-    (*rest) = ((-(f32((_e26 & 32767i))) / 32768f) - ((f32(drift) / 32768f) * fraction));
-    up = max(exponent, 0i);
-    down = max(-(exponent), 0i);
-    let _e45 = (*whole);
-    let _e46 = up;
-    let _e49 = down;
-    (*whole) = (_e45 + ((cell >> u32(_e46)) << u32(_e49)));
-    let _e53 = (*rest);
-    let _e55 = up;
-    (*rest) = (_e53 + ((f32((cell & (i32((1u << u32(_e55))) - 1i))) + local) * exp2(-(f32(exponent)))));
-    return;
-}
-
-// The windows of three nodes, or two, along an axis. `x` is in node spacings from the first node.
-fn gabor_impl_water_windows(three: bool, x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    var s_3: f32;
-    var scale_2: f32;
-    if three {
-        {
-            gabor_impl_windows((x - 1f), value, slope);
-            let _e10 = (*slope);
-            (*slope) = (_e10 / vec4(1.5f));
-            return;
-        }
-    } else {
-        {
-            s_3 = ((x * x) * (3f - (2f * x)));
-            let _e26 = s_3;
-            let _e29 = s_3;
-            scale_2 = inverseSqrt((1f - ((2f * _e26) * (1f - _e29))));
-            let _e35 = scale_2;
-            let _e37 = s_3;
-            let _e39 = s_3;
-            (*value) = (_e35 * vec4<f32>((1f - _e37), _e39, 0f, 0f));
-            let _e49 = scale_2;
-            let _e51 = scale_2;
-            let _e53 = scale_2;
-            let _e55 = s_3;
-            let _e58 = s_3;
-            (*slope) = ((((((6f * x) * (1f - x)) * _e49) * _e51) * _e53) * vec4<f32>(-(_e55), (1f - _e58), 0f, 0f));
-            return;
-        }
-    }
-}
-
-// The parts xx, xy and xx + yy of a covariance with these variances along a unit vector and across it.
 fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> {
     let _e11 = ((((variances.x - variances.y) * along.x) * along) + vec2<f32>(variances.y, 0f));
     return vec3<f32>(_e11.x, _e11.y, (variances.x + variances.y));
 }
 
-// Adds a band with three nodes along each axis, or two. `least` is the square of a pixel's shorter side.
-fn gabor_impl_add_band(water: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, three: bool, heading: vec2<f32>, quantum: vec2<f32>, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
-    var local_30: f32;
+// Adds a band's four nodes around a point, together, which CPUs do faster. `quantum` is the spacing of frequencies and its inverse,
+// `least` the square of a pixel's shorter side. `squeeze` sums the derivatives of the shift. It and `lost` have xx, xy and xx + yy.
+fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, normal: bool, heading: vec2<f32>, quantum: vec2<f32>, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
+    var scale_2: f32;
+    var half_step: f32;
     var lowest: f32;
     var longest: f32;
     var salt_4: u32;
-    var whole_x: i32;
-    var whole_y: i32;
-    var rest_x: f32;
-    var rest_y: f32;
-    var rest_3: vec2<f32>;
-    var local_31: f32;
-    var inset: f32;
+    var drifted: vec2<i32>;
+    var up: i32;
+    var down: i32;
     var spacing: f32;
-    var local_32: f32;
-    var local_33: f32;
-    var energy: f32;
-    var first_2: vec2<f32>;
+    var rest_1: vec2<f32>;
+    var first_1: vec2<f32>;
     var offset: vec2<f32>;
     var node: vec2<i32>;
-    var x_8: vec4<f32>;
+    var middle: vec2<f32>;
+    var fourth_2: vec2<f32>;
+    var turns: vec2<f32>;
+    var turn_x: vec2<f32>;
+    var turn_y: vec2<f32>;
+    var slope_6: vec2<f32>;
+    var along_x_1: vec4<f32>;
+    var along_y_1: vec4<f32>;
+    var window: vec4<f32>;
+    var window_x: vec4<f32>;
+    var window_y: vec4<f32>;
+    var from_x: vec4<f32>;
+    var from_y: vec4<f32>;
+    var west: u32;
+    var east: u32;
+    var south: u32;
+    var north: u32;
+    var word_5: vec4<u32>;
+    var bits: vec4<u32>;
+    var share: vec4<f32>;
+    var u_1: vec4<f32>;
+    var w: vec4<f32>;
+    var rise: vec4<f32>;
+    var bent: vec4<f32>;
+    var angle: vec4<f32>;
+    var part_2: vec4<f32>;
+    var lag: vec4<f32>;
+    var steep: vec4<f32>;
+    var carried: vec4<f32>;
+    var count: vec4<f32>;
+    var local_22: f32;
+    var turning: vec4<f32>;
+    var local_23: f32;
+    var k: vec4<f32>;
+    var chord: vec4<f32>;
+    var cosine: vec4<f32>;
+    var sine: vec4<f32>;
+    var x_7: vec4<f32>;
     var y_4: vec4<f32>;
-    var slope_x: vec4<f32>;
-    var slope_y: vec4<f32>;
-    var local_34: f32;
-    var deviation_1: f32;
-    var local_35: vec3<f32>;
-    var shape_1: vec3<f32>;
-    var f_2: f32;
-    var local_36: f32;
-    var wave_6: f32;
-    var left: u32;
-    var middle_1: u32;
-    var right: u32;
-    var from_1: vec2<f32>;
-    var j_2: i32 = 0i;
-    var local_37: i32;
-    var row_1: u32;
-    var local_38: vec2<f32>;
-    var local_39: vec2<f32>;
-    var w: vec2<f32>;
-    if (quantum.x > 0f) {
-        local_30 = (quantum.x * max(floor(((band.low * quantum.y) + 0.5f)), 1f));
-    } else {
-        local_30 = band.low;
-    }
-    let _e29 = local_30;
-    lowest = _e29;
-    let _e32 = lowest;
-    let _e34 = lowest;
-    longest = ((0.0000000001486f * _e32) * _e34);
-    let _e40 = longest;
-    let _e41 = longest;
-    if ((band.amplitude == 0f) || (((_e40 * _e41) * least) > 1.6f)) {
+    var ticks: vec4<u32>;
+    var phase_1: vec4<f32>;
+    var a_3: vec2<f32>;
+    var b_3: vec2<f32>;
+    var c_2: vec2<f32>;
+    var d: vec2<f32>;
+    var square: vec4<f32>;
+    var steps_x: vec4<f32>;
+    var steps_y: vec4<f32>;
+    var kept: vec4<f32>;
+    var amplitude_2: vec4<f32>;
+    var local_24: vec4<f32>;
+    var height: vec4<f32>;
+    var along_2: vec4<f32>;
+    var steepness: vec4<f32>;
+    var squeezed: vec4<f32>;
+    var local_25: f32;
+    var lost: vec4<f32>;
+    scale_2 = ((0.0009765625f * band.low) * quantum.y);
+    let _e23 = scale_2;
+    half_step = max(0.5f, (1f - (1024f * _e23)));
+    let _e30 = scale_2;
+    let _e32 = half_step;
+    lowest = (quantum.x * floor(((1024f * _e30) + _e32)));
+    let _e38 = lowest;
+    let _e40 = lowest;
+    longest = ((0.0000000001486f * _e38) * _e40);
+    let _e46 = longest;
+    let _e47 = longest;
+    if ((band.amplitude == 0f) || (((_e46 * _e47) * least) > 1.6f)) {
         {
-            let _e48 = (*water);
-            let _e51 = gabor_impl_slopes_along(band.slopes, heading);
-            (*water).lost = (_e48.lost + _e51);
+            let _e54 = (*sum);
+            let _e57 = gabor_impl_slopes_along(band.slopes, heading);
+            (*sum).lost = (_e54.lost + _e57);
             return;
         }
     }
-    let _e53 = gabor_impl_salt(seed);
-    salt_4 = _e53;
-    gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, (&whole_x), (&rest_x));
-    gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, (&whole_y), (&rest_y));
-    let _e77 = rest_x;
-    let _e78 = rest_y;
-    let _e81 = salt_4;
-    let _e85 = salt_4;
-    rest_3 = (vec2<f32>(_e77, _e78) + (0.000015258789f * vec2<f32>(f32((_e81 & 65535u)), f32((_e85 >> 16u)))));
-    if three {
-        local_31 = 0.5f;
-    } else {
-        local_31 = 0f;
-    }
-    let _e96 = local_31;
-    inset = _e96;
+    let _e59 = gabor_impl_salt(seed);
+    salt_4 = _e59;
+    drifted = ((second & 65535i) * band.drift);
+    up = max(band.exponent, 0i);
+    down = max(-(band.exponent), 0i);
     spacing = exp2(f32(band.exponent));
-    if three {
-        if false {
-            local_32 = 1f;
-        } else {
-            local_32 = 1.125f;
-        }
-        let _e111 = local_32;
-        local_33 = _e111;
-    } else {
-        local_33 = 1f;
-    }
-    let _e114 = local_33;
-    energy = _e114;
-    let _e116 = rest_3;
-    let _e117 = inset;
-    first_2 = floor((_e116 - vec2(_e117)));
-    let _e122 = inset;
-    let _e123 = rest_3;
-    let _e124 = inset;
-    let _e127 = first_2;
-    offset = (vec2(_e122) + clamp(((_e123 - vec2(_e124)) - _e127), vec2(0f), vec2(1f)));
-    let _e137 = whole_x;
-    let _e138 = whole_y;
-    let _e140 = first_2;
-    node = (vec2<i32>(_e137, _e138) + vec2<i32>(_e140));
-    let _e148 = offset;
-    gabor_impl_water_windows(three, _e148.x, (&x_8), (&slope_x));
-    let _e154 = offset;
-    gabor_impl_water_windows(three, _e154.y, (&y_4), (&slope_y));
-    if three {
-        local_34 = 1459955300000000000000000000f;
-    } else {
-        local_34 = 1243281800000000000000000000000f;
-    }
-    let _e163 = local_34;
-    deviation_1 = _e163;
-    if three {
-        let _e168 = deviation_1;
-        local_35 = vec3<f32>(0.89289314f, 7397391600000000000f, (1.0034f * _e168));
-    } else {
-        let _e174 = deviation_1;
-        local_35 = vec3<f32>(0f, 1000000000000000000000f, (1.0297f * _e174));
-    }
-    let _e178 = local_35;
-    shape_1 = _e178;
-    let _e180 = x_8;
-    let _e182 = energy;
-    let _e183 = deviation_1;
-    x_8 = (_e180 * (band.amplitude / (_e182 * _e183)));
-    let _e187 = slope_x;
-    let _e189 = energy;
-    let _e190 = deviation_1;
-    let _e192 = spacing;
-    slope_x = (_e187 * (band.amplitude / ((_e189 * _e190) * _e192)));
-    let _e196 = slope_y;
+    let _e80 = up;
+    let _e89 = spacing;
+    let _e92 = drifted;
+    let _e107 = salt_4;
+    let _e111 = salt_4;
+    rest_1 = (((((vec2<f32>((cell & vec2(((1i << u32(_e80)) - 1i)))) + local) / vec2(_e89)) - (vec2<f32>((_e92 & vec2(32767i))) / vec2(32768f))) - ((fraction / 32768f) * vec2<f32>(band.drift))) + (vec2<f32>(f32((_e107 & 65535u)), f32((_e111 >> 16u))) / vec2(65536f)));
+    let _e121 = rest_1;
+    first_1 = floor(_e121);
+    let _e124 = rest_1;
+    let _e125 = first_1;
+    offset = clamp((_e124 - _e125), vec2(0f), vec2(1f));
+    let _e133 = up;
+    let _e137 = down;
+    let _e149 = drifted;
+    let _e155 = first_1;
+    node = (((((cell >> vec2(u32(_e133))) << vec2(u32(_e137))) - ((2i * (second >> 16u)) * band.drift)) - (_e149 >> vec2(15u))) + vec2<i32>(_e155));
+    let _e160 = offset;
+    middle = ((2f * _e160) - vec2(1f));
+    let _e166 = middle;
+    let _e167 = middle;
+    let _e169 = middle;
+    let _e171 = middle;
+    fourth_2 = (((_e166 * _e167) * _e169) * _e171);
+    let _e175 = middle;
+    let _e178 = fourth_2;
+    turns = (vec2(0.125f) + (_e175 * (vec2(0.15625f) - (0.03125f * _e178))));
+    let _e187 = turns;
+    let _e189 = gabor_impl_half_turn(_e187.x);
+    turn_x = (band.amplitude * _e189);
+    let _e192 = turns;
+    let _e194 = gabor_impl_half_turn(_e192.y);
+    turn_y = _e194;
     let _e197 = spacing;
-    slope_y = (_e196 / vec4(_e197));
-    f_2 = (0.000000014901161f * band.low);
-    if three {
-        local_36 = 0.6383f;
+    let _e200 = fourth_2;
+    slope_6 = ((1.9634954f / _e197) * (vec2(1f) - _e200));
+    let _e205 = turn_x;
+    let _e206 = turn_x;
+    along_x_1 = vec4<f32>(_e205.x, _e205.y, _e206.x, _e206.y);
+    let _e213 = turn_y;
+    let _e214 = _e213.xx;
+    let _e215 = turn_y;
+    let _e216 = _e215.yy;
+    along_y_1 = vec4<f32>(_e214.x, _e214.y, _e216.x, _e216.y);
+    let _e223 = along_x_1;
+    let _e224 = along_y_1;
+    window = (_e223 * _e224);
+    let _e227 = slope_6;
+    let _e229 = turn_x;
+    let _e232 = turn_x;
+    let _e234 = turn_x;
+    let _e237 = turn_x;
+    let _e241 = along_y_1;
+    window_x = ((_e227.x * vec4<f32>(-(_e229.y), _e232.x, -(_e234.y), _e237.x)) * _e241);
+    let _e244 = slope_6;
+    let _e246 = turn_y;
+    let _e248 = -(_e246.yy);
+    let _e249 = turn_y;
+    let _e250 = _e249.xx;
+    let _e257 = along_x_1;
+    window_y = ((_e244.y * vec4<f32>(_e248.x, _e248.y, _e250.x, _e250.y)) * _e257);
+    let _e260 = spacing;
+    let _e261 = offset;
+    from_x = (_e260 * (vec4(_e261.x) - vec4<f32>(0f, 1f, 0f, 1f)));
+    let _e272 = spacing;
+    let _e273 = offset;
+    from_y = (_e272 * (vec4(_e273.y) - vec4<f32>(0f, 0f, 1f, 1f)));
+    let _e284 = node;
+    let _e286 = salt_4;
+    let _e287 = gabor_impl_line_word(_e284.x, _e286);
+    west = _e287;
+    let _e289 = node;
+    let _e293 = salt_4;
+    let _e294 = gabor_impl_line_word((_e289.x + 1i), _e293);
+    east = _e294;
+    let _e296 = node;
+    let _e298 = salt_4;
+    let _e301 = gabor_impl_line_word(_e296.y, (_e298 ^ 1540483477u));
+    south = _e301;
+    let _e303 = node;
+    let _e307 = salt_4;
+    let _e310 = gabor_impl_line_word((_e303.y + 1i), (_e307 ^ 1540483477u));
+    north = _e310;
+    let _e312 = south;
+    let _e313 = west;
+    let _e315 = south;
+    let _e316 = east;
+    let _e318 = north;
+    let _e319 = west;
+    let _e321 = north;
+    let _e322 = east;
+    word_5 = vec4<u32>((_e312 * _e313), (_e315 * _e316), (_e318 * _e319), (_e321 * _e322));
+    let _e326 = word_5;
+    let _e327 = word_5;
+    bits = ((_e326 ^ (_e327 >> vec4(15u))) * 3545902487u);
+    let _e335 = bits;
+    let _e336 = bits;
+    bits = (_e335 ^ (_e336 >> vec4(15u)));
+    let _e341 = bits;
+    share = vec4<f32>((_e341 >> vec4(22u)));
+    let _e347 = bits;
+    u_1 = vec4<f32>((vec4<i32>((_e347 << vec4(10u))) >> vec4(21u)));
+    let _e358 = bits;
+    w = vec4<f32>((vec4<i32>((_e358 << vec4(21u))) >> vec4(21u)));
+    let _e372 = share;
+    let _e378 = share;
+    let _e389 = share;
+    let _e400 = share;
+    let _e410 = share;
+    let _e419 = gabor_impl_whole((((((vec4(1024f) + (band.steps.x * _e372)) + (band.steps.y * max((_e378 - vec4(128f)), vec4(0f)))) + (band.steps.z * max((_e389 - vec4(384f)), vec4(0f)))) + (band.steps.w * max((_e400 - vec4(640f)), vec4(0f)))) + (band.last_step * max((_e410 - vec4(896f)), vec4(0f)))));
+    rise = _e419;
+    let _e426 = u_1;
+    let _e428 = u_1;
+    let _e430 = gabor_impl_whole(((0.001953125f * _e426) * _e428));
+    let _e434 = gabor_impl_whole((vec4(band.spread.x) + (band.spread.y * _e430)));
+    bent = _e434;
+    let _e437 = u_1;
+    let _e438 = bent;
+    let _e440 = w;
+    let _e446 = gabor_impl_whole((0.00024414063f * ((_e437 * _e438) + (_e440 * band.spread.z))));
+    let _e451 = rise;
+    angle = (_e446 * (vec4(band.widen.x) + (band.widen.y * _e451)));
+    let _e458 = angle;
+    let _e460 = gabor_impl_whole((0.00012207031f * _e458));
+    part_2 = _e460;
+    let _e463 = part_2;
+    let _e465 = part_2;
+    let _e467 = gabor_impl_whole(((0.00048828125f * _e463) * _e465));
+    lag = _e467;
+    let _e470 = rise;
+    let _e472 = rise;
+    let _e474 = gabor_impl_whole(((0.0009765625f * _e470) * _e472));
+    steep = _e474;
+    let _e476 = steep;
+    let _e478 = steep;
+    let _e480 = lag;
+    let _e482 = gabor_impl_whole(((0.0009765625f * _e478) * _e480));
+    carried = (_e476 - _e482);
+    let _e485 = scale_2;
+    let _e486 = rise;
+    let _e488 = half_step;
+    let _e491 = gabor_impl_whole(((_e485 * _e486) + vec4(_e488)));
+    count = _e491;
+    let _e494 = count;
+    if (quantum.x > 1f) {
+        local_22 = 0f;
     } else {
-        local_36 = 0.622f;
+        local_22 = (band.low / 16384f);
     }
-    let _e207 = local_36;
-    let _e208 = f_2;
-    let _e210 = f_2;
-    wave_6 = ((_e207 * _e208) * _e210);
-    let _e213 = node;
-    let _e215 = salt_4;
-    let _e216 = gabor_impl_line_word(_e213.x, _e215);
-    left = _e216;
-    let _e218 = node;
-    let _e222 = salt_4;
-    let _e223 = gabor_impl_line_word((_e218.x + 1i), _e222);
-    middle_1 = _e223;
-    let _e225 = node;
-    let _e229 = salt_4;
-    let _e230 = gabor_impl_line_word((_e225.x + 2i), _e229);
-    right = _e230;
-    let _e232 = spacing;
-    let _e233 = offset;
-    from_1 = (_e232 * _e233);
-    loop {
-        let _e238 = j_2;
-        if three {
-            local_37 = 3i;
-        } else {
-            local_37 = 2i;
-        }
-        let _e242 = local_37;
-        if !((_e238 < _e242)) {
-            break;
-        }
-        {
-            let _e248 = node;
-            let _e250 = j_2;
-            let _e252 = salt_4;
-            let _e255 = gabor_impl_line_word((_e248.y + _e250), (_e252 ^ 1540483477u));
-            row_1 = _e255;
-            let _e257 = j_2;
-            if (_e257 == 0i) {
-                let _e260 = y_4;
-                let _e262 = slope_y;
-                local_39 = vec2<f32>(_e260.x, _e262.x);
-            } else {
-                let _e265 = j_2;
-                if (_e265 == 1i) {
-                    let _e268 = y_4;
-                    let _e270 = slope_y;
-                    local_38 = vec2<f32>(_e268.y, _e270.y);
-                } else {
-                    let _e273 = y_4;
-                    let _e275 = slope_y;
-                    local_38 = vec2<f32>(_e273.z, _e275.z);
-                }
-                let _e279 = local_38;
-                local_39 = _e279;
-            }
-            let _e281 = local_39;
-            w = _e281;
-            let _e285 = row_1;
-            let _e286 = left;
-            let _e288 = from_1;
-            let _e289 = x_8;
-            let _e291 = w;
-            let _e294 = slope_x;
-            let _e296 = w;
-            let _e299 = x_8;
-            let _e301 = w;
-            let _e305 = wave_6;
-            let _e306 = shape_1;
-            gabor_impl_add_water(water, squeeze, (_e285 * _e286), _e288, vec3<f32>((_e289.x * _e291.x), (_e294.x * _e296.x), (_e299.x * _e301.y)), band, heading, quantum, _e305, _e306, second, fraction, dx, dy);
-            let _e311 = row_1;
-            let _e312 = middle_1;
-            let _e314 = from_1;
-            let _e315 = spacing;
-            let _e319 = x_8;
-            let _e321 = w;
-            let _e324 = slope_x;
-            let _e326 = w;
-            let _e329 = x_8;
-            let _e331 = w;
-            let _e335 = wave_6;
-            let _e336 = shape_1;
-            gabor_impl_add_water(water, squeeze, (_e311 * _e312), (_e314 - vec2<f32>(_e315, 0f)), vec3<f32>((_e319.y * _e321.x), (_e324.y * _e326.x), (_e329.y * _e331.y)), band, heading, quantum, _e335, _e336, second, fraction, dx, dy);
-            if three {
-                let _e341 = row_1;
-                let _e342 = right;
-                let _e344 = from_1;
-                let _e346 = spacing;
-                let _e351 = x_8;
-                let _e353 = w;
-                let _e356 = slope_x;
-                let _e358 = w;
-                let _e361 = x_8;
-                let _e363 = w;
-                let _e367 = wave_6;
-                let _e368 = shape_1;
-                gabor_impl_add_water(water, squeeze, (_e341 * _e342), (_e344 - vec2<f32>((2f * _e346), 0f)), vec3<f32>((_e351.z * _e353.x), (_e356.z * _e358.x), (_e361.z * _e363.y)), band, heading, quantum, _e367, _e368, second, fraction, dx, dy);
-            }
-            let _e372 = from_1;
-            let _e374 = spacing;
-            from_1.y = (_e372.y - _e374);
-        }
-        continuing {
-            let _e245 = j_2;
-            j_2 = (_e245 + 1i);
-        }
+    let _e504 = local_22;
+    let _e506 = carried;
+    let _e508 = gabor_impl_whole((6.7265625f * _e506));
+    let _e510 = gabor_impl_whole((_e504 * _e508));
+    turning = ((quantum.x * _e494) - _e510);
+    if normal {
+        local_23 = 0.9986f;
+    } else {
+        local_23 = 0.978f;
     }
+    let _e516 = local_23;
+    let _e523 = count;
+    let _e525 = count;
+    k = (((((_e516 * 0.000000000937f) * quantum.x) * quantum.x) * _e523) * _e525);
+    let _e529 = angle;
+    chord = (0.00000011920929f * _e529);
+    let _e534 = chord;
+    let _e536 = chord;
+    cosine = (vec4(1f) - ((0.5f * _e534) * _e536));
+    let _e541 = chord;
+    let _e544 = chord;
+    let _e546 = chord;
+    sine = (_e541 * sqrt((vec4(1f) - ((0.25f * _e544) * _e546))));
+    let _e554 = cosine;
+    let _e557 = sine;
+    x_7 = ((heading.x * _e554) - (heading.y * _e557));
+    let _e562 = cosine;
+    let _e565 = sine;
+    y_4 = ((heading.y * _e562) + (heading.x * _e565));
+    let _e569 = turning;
+    let _e574 = word_5;
+    ticks = (((vec4<u32>(vec4<i32>(_e569)) * u32(second)) + (_e574 >> vec4(16u))) & vec4(65535u));
+    let _e584 = k;
+    let _e586 = x_7;
+    let _e587 = from_x;
+    let _e589 = y_4;
+    let _e590 = from_y;
+    let _e595 = ticks;
+    let _e597 = turning;
+    phase_1 = (((0.15915494f * _e584) * ((_e586 * _e587) + (_e589 * _e590))) - (0.000015258789f * (vec4<f32>(_e595) + (_e597 * fraction))));
+    let _e603 = phase_1;
+    let _e605 = gabor_impl_wave(_e603.x);
+    a_3 = _e605;
+    let _e607 = phase_1;
+    let _e609 = gabor_impl_wave(_e607.y);
+    b_3 = _e609;
+    let _e611 = phase_1;
+    let _e613 = gabor_impl_wave(_e611.z);
+    c_2 = _e613;
+    let _e615 = phase_1;
+    let _e617 = gabor_impl_wave(_e615.w);
+    d = _e617;
+    let _e620 = word_5;
+    square = (0.000015258789f * vec4<f32>((_e620 & vec4(65535u))));
+    let _e627 = k;
+    let _e628 = x_7;
+    let _e631 = y_4;
+    steps_x = (_e627 * ((_e628 * dx.x) + (_e631 * dx.y)));
+    let _e637 = k;
+    let _e638 = x_7;
+    let _e641 = y_4;
+    steps_y = (_e637 * ((_e638 * dy.x) + (_e641 * dy.y)));
+    let _e649 = steps_x;
+    let _e650 = steps_x;
+    let _e652 = steps_y;
+    let _e653 = steps_y;
+    kept = exp((-0.125f * ((_e649 * _e650) + (_e652 * _e653))));
+    let _e659 = kept;
+    let _e660 = square;
+    amplitude_2 = (_e659 * sqrt(_e660));
+    let _e664 = amplitude_2;
+    if normal {
+        let _e667 = square;
+        let _e673 = square;
+        local_24 = ((vec4(1.3034767f) + (0.3870924f * _e667)) + (vec4(0.0960481f) / (vec4(1.0580432f) - _e673)));
+    } else {
+        local_24 = vec4(2f);
+    }
+    let _e682 = local_24;
+    amplitude_2 = (_e664 * _e682);
+    let _e684 = amplitude_2;
+    let _e685 = a_3;
+    let _e687 = b_3;
+    let _e689 = c_2;
+    let _e691 = d;
+    height = (_e684 * vec4<f32>(_e685.y, _e687.y, _e689.y, _e691.y));
+    let _e696 = window;
+    let _e697 = amplitude_2;
+    let _e699 = a_3;
+    let _e701 = b_3;
+    let _e703 = c_2;
+    let _e705 = d;
+    along_2 = ((_e696 * _e697) * vec4<f32>(_e699.x, _e701.x, _e703.x, _e705.x));
+    let _e711 = (*sum);
+    let _e713 = height;
+    let _e714 = window_x;
+    let _e716 = height;
+    let _e717 = window_y;
+    (*sum).slope = (_e711.slope + vec2<f32>(dot(_e713, _e714), dot(_e716, _e717)));
+    let _e721 = height;
+    let _e722 = window;
+    height = (_e721 * _e722);
+    let _e724 = k;
+    let _e725 = along_2;
+    steepness = (_e724 * _e725);
+    let _e728 = k;
+    let _e729 = height;
+    squeezed = (_e728 * _e729);
+    if normal {
+        local_25 = 1.003f;
+    } else {
+        local_25 = 1.048f;
+    }
+    let _e735 = local_25;
+    let _e736 = window;
+    let _e738 = window;
+    let _e740 = k;
+    let _e742 = k;
+    let _e745 = kept;
+    let _e746 = kept;
+    lost = (((((_e735 * _e736) * _e738) * _e740) * _e742) * (vec4(1f) - (_e745 * _e746)));
+    let _e753 = (*sum);
+    let _e755 = height;
+    (*sum).height = (_e753.height + dot(_e755, vec4(1f)));
+    let _e761 = (*sum);
+    let _e763 = steepness;
+    let _e764 = x_7;
+    let _e766 = steepness;
+    let _e767 = y_4;
+    (*sum).slope = (_e761.slope + vec2<f32>(dot(_e763, _e764), dot(_e766, _e767)));
+    let _e772 = (*sum);
+    let _e774 = along_2;
+    let _e775 = x_7;
+    let _e777 = along_2;
+    let _e778 = y_4;
+    (*sum).shift = (_e772.shift + vec2<f32>(dot(_e774, _e775), dot(_e777, _e778)));
+    let _e782 = (*squeeze);
+    let _e783 = squeezed;
+    let _e784 = x_7;
+    let _e785 = x_7;
+    let _e788 = squeezed;
+    let _e789 = x_7;
+    let _e790 = y_4;
+    let _e793 = squeezed;
+    (*squeeze) = (_e782 + vec3<f32>(dot(_e783, (_e784 * _e785)), dot(_e788, (_e789 * _e790)), dot(_e793, vec4(1f))));
+    let _e800 = (*sum);
+    let _e802 = lost;
+    let _e803 = x_7;
+    let _e804 = x_7;
+    let _e807 = lost;
+    let _e808 = x_7;
+    let _e809 = y_4;
+    let _e812 = lost;
+    (*sum).lost = (_e800.lost + vec3<f32>(dot(_e802, (_e803 * _e804)), dot(_e807, (_e808 * _e809)), dot(_e812, vec4(1f))));
     return;
 }
 
 fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
     var wind_2: vec2<f32>;
     var swell_1: vec2<f32>;
-    var water_1: GaborWater;
-    var squeeze_2: vec3<f32> = vec3(0f);
-    var local_41: vec2<f32>;
-    var quantum_2: vec2<f32>;
+    var water: GaborWater;
+    var squeeze_1: vec3<f32> = vec3(0f);
+    var local_27: vec2<f32>;
+    var quantum_1: vec2<f32>;
     var area: f32;
     var sides: f32;
     var least_1: f32;
-    var threes: i32 = 3i;
-    var local_42: i32;
-    var last_1: i32;
-    var i_1: i32 = 1i;
-    var local_43: i32;
-    var k_1: i32;
-    var local_44: vec2<f32>;
-    var local_45: i32;
-    var j_3: i32 = 0i;
-    var local_46: i32;
-    var k_2: i32;
+    var i_1: i32 = 0i;
+    var local_28: i32;
+    var remote_1: bool;
+    var local_29: vec2<f32>;
+    var local_30: i32;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
     wind_2 = _e11;
     let _e17 = gabor_impl_wave((0.15915494f * ocean.swell.z));
     swell_1 = _e17;
     let _e26 = wind_2;
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
-    water_1 = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
+    water = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
     if (ocean.loop_ > 0i) {
-        local_41 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
+        local_27 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
     } else {
-        local_41 = vec2(0f);
+        local_27 = vec2(1f);
     }
-    let _e50 = local_41;
-    quantum_2 = _e50;
+    let _e50 = local_27;
+    quantum_1 = _e50;
     area = ((dx.x * dy.y) - (dx.y * dy.x));
     sides = (dot(dx, dx) + dot(dy, dy));
     let _e65 = area;
@@ -1148,118 +945,75 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e74 = area;
     let _e76 = area;
     least_1 = (((2f * _e65) * _e67) / max((_e69 + sqrt(max(((_e70 * _e71) - ((4f * _e74) * _e76)), 0f))), 0.000000000000000000000000000001f));
-    if (ocean.swell.x > 0f) {
-        let _e97 = threes;
-        local_42 = (_e97 + 1i);
-    } else {
-        let _e100 = threes;
-        local_42 = _e100;
-    }
-    let _e102 = local_42;
-    last_1 = _e102;
     loop {
-        let _e106 = i_1;
-        let _e107 = last_1;
-        if !((_e106 <= _e107)) {
+        let _e89 = i_1;
+        if (ocean.swell.x > 0f) {
+            local_28 = 10i;
+        } else {
+            local_28 = 9i;
+        }
+        let _e99 = local_28;
+        if !((_e89 < _e99)) {
             break;
         }
         {
-            let _e113 = i_1;
-            let _e114 = threes;
-            if (_e113 > _e114) {
-                local_43 = 9i;
+            let _e105 = i_1;
+            remote_1 = (_e105 == 9i);
+            let _e111 = i_1;
+            let _e114 = remote_1;
+            let _e115 = i_1;
+            let _e118 = i_1;
+            let _e123 = remote_1;
+            if _e123 {
+                let _e124 = swell_1;
+                local_29 = _e124;
             } else {
-                let _e117 = i_1;
-                local_43 = _e117;
+                let _e125 = wind_2;
+                local_29 = _e125;
             }
-            let _e119 = local_43;
-            k_1 = _e119;
-            let _e123 = k_1;
-            let _e127 = i_1;
-            let _e128 = threes;
-            if (_e127 > _e128) {
-                let _e130 = swell_1;
-                local_44 = _e130;
+            let _e127 = local_29;
+            let _e128 = quantum_1;
+            let _e129 = least_1;
+            let _e130 = remote_1;
+            if _e130 {
+                local_30 = 12i;
             } else {
-                let _e131 = wind_2;
-                local_44 = _e131;
+                let _e132 = i_1;
+                local_30 = _e132;
             }
-            let _e133 = local_44;
-            let _e134 = quantum_2;
-            let _e135 = least_1;
-            let _e136 = i_1;
-            let _e137 = threes;
-            if (_e136 > _e137) {
-                local_45 = 12i;
-            } else {
-                let _e140 = k_1;
-                local_45 = _e140;
-            }
-            let _e142 = local_45;
-            let _e143 = gabor_lobe_seed(seed, _e142);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e123], true, _e133, _e134, _e135, cell, local, second, fraction, dx, dy, _e143);
+            let _e134 = local_30;
+            let _e135 = gabor_lobe_seed(seed, _e134);
+            gabor_impl_add_band((&water), (&squeeze_1), ocean.band[_e111], (_e114 || ((_e115 > 0i) && (_e118 < 4i))), _e127, _e128, _e129, cell, local, second, fraction, dx, dy, _e135);
         }
         continuing {
-            let _e110 = i_1;
-            i_1 = (_e110 + 1i);
+            let _e102 = i_1;
+            i_1 = (_e102 + 1i);
         }
     }
-    loop {
-        let _e148 = j_3;
-        let _e150 = threes;
-        if !((_e148 < (9i - _e150))) {
-            break;
-        }
-        {
-            let _e157 = j_3;
-            if (_e157 == 0i) {
-                local_46 = 0i;
-            } else {
-                let _e161 = j_3;
-                let _e162 = threes;
-                local_46 = (_e161 + _e162);
-            }
-            let _e165 = local_46;
-            k_2 = _e165;
-            let _e169 = k_2;
-            let _e173 = wind_2;
-            let _e174 = quantum_2;
-            let _e175 = least_1;
-            let _e176 = k_2;
-            let _e177 = gabor_lobe_seed(seed, _e176);
-            gabor_impl_add_band((&water_1), (&squeeze_2), ocean.band[_e169], false, _e173, _e174, _e175, cell, local, second, fraction, dx, dy, _e177);
-        }
-        continuing {
-            let _e154 = j_3;
-            j_3 = (_e154 + 1i);
-        }
-    }
-    let _e182 = squeeze_2;
-    let _e186 = squeeze_2;
-    let _e189 = squeeze_2;
-    let _e193 = squeeze_2;
-    let _e195 = squeeze_2;
-    water_1.fold = (((1f - _e182.x) * ((1f - _e186.z) + _e189.x)) - (_e193.y * _e195.y));
-    let _e200 = water_1;
-    let _e203 = water_1;
-    let _e206 = water_1;
-    let _e210 = water_1;
-    water_1.lost = vec3<f32>(_e200.lost.x, (_e203.lost.z - _e206.lost.x), _e210.lost.y);
-    let _e214 = water_1;
-    return _e214;
+    let _e140 = squeeze_1;
+    let _e144 = squeeze_1;
+    let _e147 = squeeze_1;
+    let _e151 = squeeze_1;
+    let _e153 = squeeze_1;
+    water.fold = (((1f - _e140.x) * ((1f - _e144.z) + _e147.x)) - (_e151.y * _e153.y));
+    let _e158 = water;
+    let _e161 = water;
+    let _e164 = water;
+    let _e168 = water;
+    water.lost = vec3<f32>(_e158.lost.x, (_e161.lost.z - _e164.lost.x), _e168.lost.y);
+    let _e172 = water;
+    return _e172;
 }
 
-// ---- Definitions of the public functions ---------------------------------------------------------------------------
-
 fn gabor_water_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var cell_5: vec2<f32>;
-    var second_6: f32;
-    cell_5 = floor(p);
-    second_6 = floor(seconds);
-    let _e10 = cell_5;
-    let _e12 = cell_5;
-    let _e14 = second_6;
-    let _e16 = second_6;
+    var cell_4: vec2<f32>;
+    var second_4: f32;
+    cell_4 = floor(p);
+    second_4 = floor(seconds);
+    let _e10 = cell_4;
+    let _e12 = cell_4;
+    let _e14 = second_4;
+    let _e16 = second_4;
     let _e18 = gabor_water_at(vec2<i32>(_e10), (p - _e12), i32(_e14), (seconds - _e16), dx, dy, ocean, seed);
     return _e18;
 }
@@ -1270,22 +1024,22 @@ fn gabor_water(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> Gabo
 }
 
 fn gabor_water_height(p: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> f32 {
-    var water_2: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
+    var water_1: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
     var i_2: i32 = 0i;
     loop {
         let _e16 = i_2;
         if !((_e16 < 6i)) {
             break;
         }
-        let _e23 = water_2;
+        let _e23 = water_1;
         let _e26 = gabor_water((p - _e23.shift), seconds, ocean, seed);
-        water_2 = _e26;
+        water_1 = _e26;
         continuing {
             let _e20 = i_2;
             i_2 = (_e20 + 1i);
         }
     }
-    let _e27 = water_2;
+    let _e27 = water_1;
     return _e27.height;
 }
 

@@ -162,12 +162,16 @@ GABOR_INLINE T gabor_cpp_choose(bool condition, T a, T b) {
     return condition ? a : b;
 }
 
-// Replaces std::floor, which is a function call on processors without an instruction for it. All floats
+// Replace std::floor and std::trunc, which are function calls on processors without an instruction for them. All floats
 // beyond 2^23 are integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
     const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
     const float whole = float(int(bounded));
     return gabor_cpp_choose(bounded == x, whole - gabor_cpp_choose(whole > bounded, 1.0f, 0.0f), x);
+}
+GABOR_INLINE float gabor_cpp_trunc(float x) {
+    const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    return gabor_cpp_choose(bounded == x, float(int(bounded)), x);
 }
 GABOR_INLINE float gabor_cpp_ceil(float x) {
     return -gabor_cpp_floor(-x);
@@ -238,6 +242,7 @@ GABOR_IMPL_STANDARD(log)
 GABOR_IMPL_STANDARD(log2)
 GABOR_IMPL_STANDARD(sqrt)
 GABOR_IMPL_EACH(floor)
+GABOR_IMPL_EACH(trunc)
 GABOR_IMPL_EACH(ceil)
 GABOR_IMPL_EACH(fract)
 GABOR_IMPL_EACH(inversesqrt)

@@ -164,10 +164,11 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
         std::map<std::array<int, 2>, std::array<double, 4>> bins; // height found and expected, slope likewise
         std::mt19937 random(7);
         std::normal_distribution<> normal;
+        const GaborOcean calm = gabor_ocean_of(sea.wind, -0.785398f, sea.fetch, {0, 0, 0}, 0); // along x of the lattices
         for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
-            const GaborOceanBand& band = sea.band[i];
-            const bool three = i > 0 && i < 4;
-            const double blur = std::sqrt(three ? 1.462 : 3.372) / (2 * pi) / std::exp2(band.exponent);
+            const GaborOceanBand& band = calm.band[i];
+            const float size = std::exp2(static_cast<float>(band.exponent));
+            const double blur = std::sqrt(2 * 3.372) / (2 * pi * static_cast<double>(size));
             const auto add = [&](double x, double y, double power, std::size_t of) {
                 x += blur * normal(random);
                 y += blur * normal(random);
@@ -182,20 +183,22 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                 add(wave.x, wave.y, wave.power, 1);
             constexpr int count = 1 << 18;
             for (int draw = 0; draw < count; ++draw) {
-                const auto word = static_cast<std::uint32_t>(random()) | 1u;
-                const auto node = [&](float time) {
+                const auto seed = static_cast<std::uint32_t>(random()), salt = gabor_impl_salt(seed);
+                const gabor_vec2 shift(static_cast<float>(salt & 0xffffu), static_cast<float>(salt >> 16u));
+                const auto node = [&](float time) { // the water at a node, where the others have no weight
                     GaborWater sum{};
                     gabor_vec3 squeeze{0, 0, 0};
-                    const float wave = 0.640488f * std::pow(band.low / 65536 / 1024, 2.0f);
-                    gabor_impl_add_water(sum, squeeze, word, {0, 0}, {1, 0, 0}, band, {1, 0}, {0, 0}, wave,
-                                         {0, 1e21f, 0}, 0, time, {0, 0}, {0, 0});
+                    gabor_impl_add_band(sum, squeeze, band, i > 0 && i < 4, {1, 0}, {1, 1}, 0, {0, 0},
+                                        -size / 65536 * shift, 0, time, {0, 0}, {0, 0}, seed);
                     return sum;
                 };
                 const GaborWater now = node(0);
                 // The real part is positive if the height, an imaginary part, falls.
-                const float soon = 0.1f * 65536 / band.low, fall = node(-soon).height - node(soon).height;
-                const float k =
-                    (fall > 0 ? 1 : -1) / std::hypot(now.shift.x, now.shift.y) / static_cast<float>(2 * pi);
+                const float soon = 0.02f * 65536 / band.low, fall = node(-soon).height - node(soon).height;
+                const float length = std::hypot(now.shift.x, now.shift.y);
+                if (length == 0)
+                    continue;
+                const float k = (fall > 0 ? 1 : -1) / (length * static_cast<float>(2 * pi));
                 add(static_cast<double>(k * now.slope.x), static_cast<double>(k * now.slope.y),
                     static_cast<double>(band.amplitude * band.amplitude) / count, 0);
             }
@@ -246,7 +249,7 @@ TEST_CASE("the sea's waves travel as the dispersion relation says", "[ocean][law
                 wave.power / power * std::cos(2 * pi * (wave.x * x + wave.y * y - wave.frequency * time));
         Random random(2);
         double product = 0, here_power = 0, there_power = 0;
-        for (int i = 0; i < 1 << 14; ++i) {
+        for (int i = 0; i < 1 << 16; ++i) {
             const Place place = anywhere(random);
             const double here = place.water(sea).height, there = place.water(sea, x, y, time).height;
             product += here * there;
@@ -260,7 +263,7 @@ TEST_CASE("the sea's waves travel as the dispersion relation says", "[ocean][law
         double& of = distance == 0 && across == 0 ? worst : worst_apart;
         of = std::max(of, std::abs(found - expected));
     }
-    const double chance = 2 / std::sqrt(1 << 14);
+    const double chance = 2 / std::sqrt(1 << 16);
     CHECK(worst < 0.03 + chance);
     CHECK(worst_apart < 0.05 + chance); // bands widen the peak of the spectrum
 }

@@ -86,7 +86,7 @@ void add_space(std::vector<Subject>& all) {
 void add_water(std::vector<Subject>& all) {
     std::uint32_t number = 0;
     for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone"}) {
-        all.push_back({name, 51, water_spirv, nullptr, {number++}});
+        all.push_back({name, 36, water_spirv, nullptr, {number++}});
         all.back().has_loops = true;
         all.back().table = render::ocean_table({});
     }
@@ -113,7 +113,10 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     constants[passes::use_id] = static_cast<std::uint32_t>(use);
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
     const std::uint32_t buffers = subject.table.empty() ? 1 : 2;
-    return {device, subject.spirv, {buffers, sizeof(passes::BenchPush), use == Use::statistics}, constants};
+    return {device,
+            subject.spirv,
+            {buffers, sizeof(passes::BenchPush), buffers == 2, use == Use::timing, use == Use::statistics},
+            constants};
 }
 
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {

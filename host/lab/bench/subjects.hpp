@@ -24,7 +24,7 @@ struct Subject {
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
     /// The number of octaves, which is also the last of `options`; 0 if there is no loop over octaves.
     int octaves = 0;
-    std::vector<std::byte> table = {}; ///< contents of the pass's second buffer; empty if it has one buffer
+    std::vector<std::byte> table = {}; ///< contents of the pass's uniform buffer; empty if it has none
 };
 
 /// The noises that others are compared with, named as in docs/benchmark.html.

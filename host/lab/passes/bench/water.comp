@@ -9,7 +9,7 @@
 
 layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.cpp
 
-layout(std430, set = 0, binding = 1) readonly buffer Table { GaborOcean ocean; };
+layout(std140, set = 0, binding = 1) uniform Table { GaborOcean ocean; };
 
 float value(vec2 p, uint instance) {
     vec2 at = 8.0 * p, dx = vec2(8.0 * pixel, 0.0), dy = dx.yx; // metres
