@@ -281,7 +281,7 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
-        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || i > 0 && i < 4, remote ? swell : wind, quantum, least, cell, local,
+        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum, least, cell, local,
                             second, fraction, dx, dy, gabor_lobe_seed(seed, remote ? 12 : i));
     }
     water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;

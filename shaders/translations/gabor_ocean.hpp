@@ -258,7 +258,7 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     for (int i = 0; i < (ocean.swell.x > 0.0f ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
-        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || i > 0 && i < 4, remote ? swell : wind, quantum, least, cell, local,
+        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum, least, cell, local,
                             second, fraction, dx, dy, gabor_lobe_seed(seed, remote ? 12 : i));
     }
     water.fold = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;

@@ -162,8 +162,8 @@ GABOR_INLINE T gabor_cpp_choose(bool condition, T a, T b) {
     return condition ? a : b;
 }
 
-// Replace std::floor and std::trunc, which are function calls on processors without an instruction for them. All floats
-// beyond 2^23 are integers.
+// Replace std::floor and std::trunc, which are function calls on processors without an instruction for
+// them. All floats beyond 2^23 are integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
     const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
     const float whole = float(int(bounded));

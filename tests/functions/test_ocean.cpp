@@ -164,7 +164,8 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
         std::map<std::array<int, 2>, std::array<double, 4>> bins; // height found and expected, slope likewise
         std::mt19937 random(7);
         std::normal_distribution<> normal;
-        const GaborOcean calm = gabor_ocean_of(sea.wind, -0.785398f, sea.fetch, {0, 0, 0}, 0); // along x of the lattices
+        const GaborOcean calm =
+            gabor_ocean_of(sea.wind, -0.785398f, sea.fetch, {0, 0, 0}, 0); // along x of the lattices
         for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
             const GaborOceanBand& band = calm.band[i];
             const float size = std::exp2(static_cast<float>(band.exponent));

@@ -59,7 +59,7 @@ BAD_MACROS = {
     "gabor_noise_3d": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
-    "gabor_ocean": [("GABOR_TAPS", "2", "gabor_ocean . glsl needs GABOR_TAPS 3")],
+    "gabor_ocean": [("GABOR_OCEAN_BANDS", "13", "GABOR_OCEAN_BANDS must be 1 to 12")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4")],
 }
 
