@@ -22,7 +22,7 @@ auto mix(auto a, auto b, float t) {
     return a * (1 - t) + b * t;
 }
 using std::abs, std::atan2, std::clamp, std::exp, std::floor, std::hypot, std::log2, std::max, std::min,
-    std::pow, std::sqrt;
+    std::pow, std::sqrt, std::trunc;
 
 float mod(float a, float b) {
     return a - b * std::floor(a / b);
