@@ -144,7 +144,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
         vec4 knots = vec4(0.0), ahead = vec4(0.1236, 0.3709, 0.6181, 0.8654);
         for (int j = 0; j < 16; ++j) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5) * width), peak, scale, sharp).x;
-            knots += 26.5 * clamp(ahead / part, 0.0, 1.0);
+            knots += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
             ahead -= part;
         }
         GaborOceanBand band;
@@ -157,7 +157,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
         band.steps = floor((knots - vec4(0.0, knots.xyz)) * vec4(2.0, 1.0, 1.0, 1.0) + 0.5) / 256.0;
         band.last_step = floor(2.0 * (424.0 - knots.w) + 0.5) / 256.0 - band.steps.w;
         band.steps -= vec4(0.0, band.steps.xyz);
-        band.spread = floor(4092.0 * vec3(a, b, c)) * vec3(1.0, 4.8828125e-4, 1.0);
+        band.spread = floor(511.5 * vec3(a, b, c)) * vec3(8.0, 0.00390625, 8.0);
         band.widen = floor(16384.0 * vec2(1.0 - (fit.x + 1236.0) * widen, widen));
         float speed = ocean.loop > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
         band.drift = ivec2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));

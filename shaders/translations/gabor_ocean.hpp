@@ -149,7 +149,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         gabor_vec4 knots = gabor_vec4(0.0f), ahead = gabor_vec4(0.1236f, 0.3709f, 0.6181f, 0.8654f);
         for (int j = 0; j < 16; ++j) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5f) * width), peak, scale, sharp).x;
-            knots += 26.5f * gabor_cpp_clamp(ahead / part, 0.0f, 1.0f);
+            knots += 26.5f * gabor_cpp_clamp(ahead / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
             ahead -= part;
         }
         GaborOceanBand band;
@@ -162,7 +162,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         band.steps = gabor_cpp_floor((knots - gabor_vec4(0.0f, knots.xyz())) * gabor_vec4(2.0f, 1.0f, 1.0f, 1.0f) + 0.5f) / 256.0f;
         band.last_step = gabor_cpp_floor(2.0f * (424.0f - knots.w) + 0.5f) / 256.0f - band.steps.w;
         band.steps -= gabor_vec4(0.0f, band.steps.xyz());
-        band.spread = gabor_cpp_floor(4092.0f * gabor_vec3(a, b, c)) * gabor_vec3(1.0f, 4.8828125e-4f, 1.0f);
+        band.spread = gabor_cpp_floor(511.5f * gabor_vec3(a, b, c)) * gabor_vec3(8.0f, 0.00390625f, 8.0f);
         band.widen = gabor_cpp_floor(16384.0f * gabor_vec2(1.0f - (fit.x + 1236.0f) * widen, widen));
         float speed = ocean.loop > 0 ? 0.0f : 32768.0f * gravity / (12.566371f * tick * low * 1.1892071f) * gabor_cpp_exp2(-float(band.exponent));
         band.drift = gabor_ivec2(gabor_cpp_floor(speed * gabor_impl_wave(0.15915494f * direction) + 0.5f));

@@ -150,7 +150,7 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         float4 knots = float4(0.0), ahead = float4(0.1236, 0.3709, 0.6181, 0.8654);
         for (int j = 0; j < 16; ++j) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5) * width), peak, scale, sharp).x;
-            knots += 26.5 * clamp(ahead / part, 0.0, 1.0);
+            knots += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
             ahead -= part;
         }
         GaborOceanBand band;
@@ -163,7 +163,7 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         band.steps = floor((knots - float4(0.0, knots.xyz)) * float4(2.0, 1.0, 1.0, 1.0) + 0.5) / 256.0;
         band.last_step = floor(2.0 * (424.0 - knots.w) + 0.5) / 256.0 - band.steps.w;
         band.steps -= float4(0.0, band.steps.xyz);
-        band.spread = floor(4092.0 * float3(a, b, c)) * float3(1.0, 4.8828125e-4, 1.0);
+        band.spread = floor(511.5 * float3(a, b, c)) * float3(8.0, 0.00390625, 8.0);
         band.widen = floor(16384.0 * float2(1.0 - (fit.x + 1236.0) * widen, widen));
         float speed = ocean.loop > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
         band.drift = int2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest be7e13e500d69423.
+// naga 30.0.1 made it from GLSL with the digest 3b35e5b1e8831697.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -375,118 +375,118 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
                     let _e481 = knots;
                     let _e483 = ahead;
                     let _e484 = part_1;
-                    knots = (_e481 + (26.5f * clamp((_e483 / vec4(_e484)), vec4(0f), vec4(1f))));
-                    let _e494 = ahead;
-                    let _e495 = part_1;
-                    ahead = (_e494 - vec4(_e495));
+                    knots = (_e481 + (26.5f * clamp((_e483 / vec4(max(_e484, 0.000000001f))), vec4(0f), vec4(1f))));
+                    let _e496 = ahead;
+                    let _e497 = part_1;
+                    ahead = (_e496 - vec4(_e497));
                 }
                 continuing {
                     let _e455 = j_2;
                     j_2 = (_e455 + 1i);
                 }
             }
-            let _e499 = remote;
-            if _e499 {
-                let _e501 = ocean;
-                let _e505 = ocean;
-                local_17 = ((0.0625f * _e501.swell.x) * _e505.swell.x);
+            let _e501 = remote;
+            if _e501 {
+                let _e503 = ocean;
+                let _e507 = ocean;
+                local_17 = ((0.0625f * _e503.swell.x) * _e507.swell.x);
             } else {
-                let _e509 = low;
-                if (_e509 > 262144f) {
+                let _e511 = low;
+                if (_e511 > 262144f) {
                     local_16 = 0f;
                 } else {
-                    let _e513 = sum_5;
-                    local_16 = _e513.x;
+                    let _e515 = sum_5;
+                    local_16 = _e515.x;
                 }
-                let _e516 = local_16;
-                local_17 = _e516;
+                let _e518 = local_16;
+                local_17 = _e518;
             }
-            let _e518 = local_17;
-            tall = _e518;
-            let _e521 = tall;
-            band.amplitude = sqrt(_e521);
-            let _e525 = tall;
-            let _e527 = sum_5;
-            let _e530 = sum_5;
-            let _e533 = along;
+            let _e520 = local_17;
+            tall = _e520;
+            let _e523 = tall;
+            band.amplitude = sqrt(_e523);
+            let _e527 = tall;
+            let _e529 = sum_5;
+            let _e532 = sum_5;
             let _e535 = along;
-            band.slopes = ((((16.195057f * _e525) * _e527.y) / _e530.x) * vec2<f32>(_e533, (1f - _e535)));
-            let _e539 = remote;
-            if !(_e539) {
-                let _e542 = ocean;
-                let _e544 = band;
-                ocean.tail = (_e542.tail - _e544.slopes);
+            let _e537 = along;
+            band.slopes = ((((16.195057f * _e527) * _e529.y) / _e532.x) * vec2<f32>(_e535, (1f - _e537)));
+            let _e541 = remote;
+            if !(_e541) {
+                let _e544 = ocean;
+                let _e546 = band;
+                ocean.tail = (_e544.tail - _e546.slopes);
             }
-            let _e548 = remote;
-            if _e548 {
-                let _e550 = peak_1;
-                let _e551 = peak_1;
-                local_19 = i32(floor(log2((18f / (_e550 * _e551)))));
+            let _e550 = remote;
+            if _e550 {
+                let _e552 = peak_1;
+                let _e553 = peak_1;
+                local_19 = i32(floor(log2((18f / (_e552 * _e553)))));
             } else {
-                let _e559 = power_1;
-                let _e562 = i;
+                let _e561 = power_1;
                 let _e564 = i;
-                let _e567 = i;
-                if ((_e564 > 0i) && (_e567 < 4i)) {
+                let _e566 = i;
+                let _e569 = i;
+                if ((_e566 > 0i) && (_e569 < 4i)) {
                     local_18 = 1i;
                 } else {
                     local_18 = -1i;
                 }
-                let _e575 = local_18;
-                local_19 = (((34i - (2i * _e559)) - _e562) + _e575);
+                let _e577 = local_18;
+                local_19 = (((34i - (2i * _e561)) - _e564) + _e577);
             }
-            let _e578 = local_19;
-            band.exponent = _e578;
-            let _e580 = low;
-            band.low = _e580;
-            let _e582 = knots;
+            let _e580 = local_19;
+            band.exponent = _e580;
+            let _e582 = low;
+            band.low = _e582;
             let _e584 = knots;
-            let _e585 = _e584.xyz;
-            band.steps = (floor((((_e582 - vec4<f32>(0f, _e585.x, _e585.y, _e585.z)) * vec4<f32>(2f, 1f, 1f, 1f)) + vec4(0.5f))) / vec4(256f));
-            let _e607 = knots;
-            let _e616 = band;
-            band.last_step = ((floor(((2f * (424f - _e607.w)) + 0.5f)) / 256f) - _e616.steps.w);
-            let _e621 = band;
-            let _e624 = band;
-            let _e626 = _e624.steps.xyz;
-            band.steps = (_e621.steps - vec4<f32>(0f, _e626.x, _e626.y, _e626.z));
-            let _e634 = a_2;
-            let _e635 = b_2;
-            let _e636 = c_1;
-            band.spread = (floor((4092f * vec3<f32>(_e634, _e635, _e636))) * vec3<f32>(1f, 0.00048828125f, 1f));
-            let _e648 = fit;
-            let _e652 = widen;
-            let _e655 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - ((_e648.x + 1236f) * _e652)), _e655)));
-            let _e659 = ocean;
-            if (_e659.loop_ > 0i) {
+            let _e586 = knots;
+            let _e587 = _e586.xyz;
+            band.steps = (floor((((_e584 - vec4<f32>(0f, _e587.x, _e587.y, _e587.z)) * vec4<f32>(2f, 1f, 1f, 1f)) + vec4(0.5f))) / vec4(256f));
+            let _e609 = knots;
+            let _e618 = band;
+            band.last_step = ((floor(((2f * (424f - _e609.w)) + 0.5f)) / 256f) - _e618.steps.w);
+            let _e623 = band;
+            let _e626 = band;
+            let _e628 = _e626.steps.xyz;
+            band.steps = (_e623.steps - vec4<f32>(0f, _e628.x, _e628.y, _e628.z));
+            let _e636 = a_2;
+            let _e637 = b_2;
+            let _e638 = c_1;
+            band.spread = (floor((511.5f * vec3<f32>(_e636, _e637, _e638))) * vec3<f32>(8f, 0.00390625f, 8f));
+            let _e650 = fit;
+            let _e654 = widen;
+            let _e657 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - ((_e650.x + 1236f) * _e654)), _e657)));
+            let _e661 = ocean;
+            if (_e661.loop_ > 0i) {
                 local_20 = 0f;
             } else {
-                let _e665 = gravity;
-                let _e668 = tick;
-                let _e670 = low;
-                let _e675 = band;
-                local_20 = (((32768f * _e665) / (((12.566371f * _e668) * _e670) * 1.1892071f)) * exp2(-(f32(_e675.exponent))));
+                let _e667 = gravity;
+                let _e670 = tick;
+                let _e672 = low;
+                let _e677 = band;
+                local_20 = (((32768f * _e667) / (((12.566371f * _e670) * _e672) * 1.1892071f)) * exp2(-(f32(_e677.exponent))));
             }
-            let _e682 = local_20;
-            speed = _e682;
-            let _e685 = speed;
-            let _e687 = direction_1;
-            let _e689 = gabor_impl_wave((0.15915494f * _e687));
-            band.drift = vec2<i32>(floor(((_e685 * _e689) + vec2(0.5f))));
-            let _e696 = i;
-            let _e699 = band;
-            ocean.band[_e696] = _e699;
+            let _e684 = local_20;
+            speed = _e684;
+            let _e687 = speed;
+            let _e689 = direction_1;
+            let _e691 = gabor_impl_wave((0.15915494f * _e689));
+            band.drift = vec2<i32>(floor(((_e687 * _e691) + vec2(0.5f))));
+            let _e698 = i;
+            let _e701 = band;
+            ocean.band[_e698] = _e701;
         }
         continuing {
             let _e113 = i;
             i = (_e113 + 1i);
         }
     }
-    let _e701 = ocean;
-    ocean.tail = max(_e701.tail, vec2(0f));
-    let _e706 = ocean;
-    return _e706;
+    let _e703 = ocean;
+    ocean.tail = max(_e703.tail, vec2(0f));
+    let _e708 = ocean;
+    return _e708;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
