@@ -16,8 +16,8 @@ struct alignas(16) OceanBand {
     passes::vec2 slopes;
     int exponent;
     float low;
-    alignas(16) float steps[4];
-    float last_step;
+    alignas(16) float early[3];
+    alignas(16) float late[3];
     alignas(16) float spread[3];
     passes::vec2 widen;
     passes::ivec2 drift;
@@ -48,8 +48,8 @@ std::vector<std::byte> ocean_table(const Sea& sea) {
                          {b.slopes.x, b.slopes.y},
                          b.exponent,
                          b.low,
-                         {b.steps.x, b.steps.y, b.steps.z, b.steps.w},
-                         b.last_step,
+                         {b.early.x, b.early.y, b.early.z},
+                         {b.late.x, b.late.y, b.late.z},
                          {b.spread.x, b.spread.y, b.spread.z},
                          {b.widen.x, b.widen.y},
                          {b.drift.x, b.drift.y}};

@@ -27,14 +27,14 @@
 #error GABOR_OCEAN_BANDS must be 1 to 12
 #endif
 
-// Waves from one wavelength to half of it. `low`, the steps and `spread` are multiples of powers of 2, so that sums are exact.
+// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
     gabor_vec2 slopes;     // variance of the slopes along the band's direction and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     float low;       // 65536 times the lowest frequency in Hz
-    gabor_vec4 steps;      // how fast the frequency rises in the first eighth of the power, and how much faster in the next three quarters
-    float last_step; // and in the last eighth
+    gabor_vec3 early;      // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next 3/16, 4/16,
+    gabor_vec3 late;       // 4/16, 3/16 and 1/16
     gabor_vec3 spread;     // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1],
     gabor_vec2 widen;      // times a linear function of the frequency
     gabor_ivec2 drift;     // 32768 times the group velocity in nodes per second
@@ -146,10 +146,11 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
                      + c * c * (2.0f * rest + 0.2f * c * c); // the mean of sin(d / 2)^4
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
         // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
-        gabor_vec4 knots = gabor_vec4(0.0f), ahead = gabor_vec4(0.1236f, 0.3709f, 0.6181f, 0.8654f);
+        gabor_vec3 early = gabor_vec3(0.0f), late = gabor_vec3(0.0f), ahead = gabor_vec3(0.0621f, 0.2483f, 0.4965f);
         for (int j = 0; j < 16; ++j) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5f) * width), peak, scale, sharp).x;
-            knots += 26.5f * gabor_cpp_clamp(ahead / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
+            early += 26.5f * gabor_cpp_clamp(ahead / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
+            late += 26.5f * gabor_cpp_clamp((ahead + gabor_vec3(0.6827f, 0.6827f, 0.5035f)) / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
             ahead -= part;
         }
         GaborOceanBand band;
@@ -159,9 +160,10 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         if (!remote) ocean.tail -= band.slopes;
         band.exponent = remote ? int(gabor_cpp_floor(gabor_cpp_log2(18.0f / (peak * peak)))) : 34 - 2 * power - i + (i > 0 && i < 4 ? 1 : -1);
         band.low = low;
-        band.steps = gabor_cpp_floor((knots - gabor_vec4(0.0f, knots.xyz())) * gabor_vec4(2.0f, 1.0f, 1.0f, 1.0f) + 0.5f) / 256.0f;
-        band.last_step = gabor_cpp_floor(2.0f * (424.0f - knots.w) + 0.5f) / 256.0f - band.steps.w;
-        band.steps -= gabor_vec4(0.0f, band.steps.xyz());
+        band.early = gabor_cpp_floor((early - gabor_vec3(0.0f, early.xy())) * gabor_vec3(4.0f, 1.3333333f, 1.0f) + 0.5f) / 256.0f;
+        band.late = gabor_cpp_floor((late - gabor_vec3(early.z, late.xy())) * gabor_vec3(1.0f, 1.3333333f, 4.0f) + 0.5f) / 256.0f;
+        band.late -= gabor_vec3(band.early.z, band.late.xy());
+        band.early -= gabor_vec3(0.0f, band.early.xy());
         band.spread = gabor_cpp_floor(511.5f * gabor_vec3(a, b, c)) * gabor_vec3(8.0f, 0.00390625f, 8.0f);
         band.widen = gabor_cpp_floor(16384.0f * gabor_vec2(1.0f - (fit.x + 1236.0f) * widen, widen));
         float speed = ocean.loop > 0 ? 0.0f : 32768.0f * gravity / (12.566371f * tick * low * 1.1892071f) * gabor_cpp_exp2(-float(band.exponent));
@@ -174,14 +176,6 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
 
 GABOR_INLINE GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0f, 2.0e5f, gabor_vec3(0.0f), 0);
-}
-
-GABOR_INLINE gabor_vec4 gabor_impl_whole(gabor_vec4 x) {
-#ifdef __cplusplus // where trunc is slow
-    return gabor_vec4(gabor_ivec4(x));
-#else
-    return gabor_cpp_trunc(x);
-#endif
 }
 
 GABOR_INLINE gabor_vec3 gabor_impl_slopes_along(gabor_vec2 variances, gabor_vec2 along) { // xx, xy and xx + yy for these variances along a unit vector and across
@@ -220,14 +214,14 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     // `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d. `turning` is
     // F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
     gabor_vec4 share = gabor_vec4(bits >> 22u), u = gabor_vec4(gabor_ivec4(bits << 10u) >> 21), w = gabor_vec4(gabor_ivec4(bits << 21u) >> 21); // 10, 11 and 11 bits
-    gabor_vec4 rise = gabor_impl_whole(1024.0f + band.steps.x * share + band.steps.y * gabor_cpp_max(share - 128.0f, 0.0f) + band.steps.z * gabor_cpp_max(share - 384.0f, 0.0f)
-                               + band.steps.w * gabor_cpp_max(share - 640.0f, 0.0f) + band.last_step * gabor_cpp_max(share - 896.0f, 0.0f));
-    gabor_vec4 bent = gabor_impl_whole(band.spread.x + band.spread.y * gabor_impl_whole(0.001953125f * u * u));
-    gabor_vec4 angle = gabor_impl_whole(2.44140625e-4f * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
-    gabor_vec4 part = gabor_impl_whole(1.220703125e-4f * angle), lag = gabor_impl_whole(4.8828125e-4f * part * part);
-    gabor_vec4 steep = gabor_impl_whole(9.765625e-4f * rise * rise), carried = steep - gabor_impl_whole(9.765625e-4f * steep * lag);
-    gabor_vec4 count = gabor_impl_whole(scale * rise + half_step);
-    gabor_vec4 turning = quantum.x * count - gabor_impl_whole((quantum.x > 1.0f ? 0.0f : band.low / 16384.0f) * gabor_impl_whole(6.7265625f * carried));
+    gabor_vec4 rise = gabor_cpp_trunc(1024.0f + band.early.x * share + band.early.y * gabor_cpp_max(share - 64.0f, 0.0f) + band.early.z * gabor_cpp_max(share - 256.0f, 0.0f)
+                    + band.late.x * gabor_cpp_max(share - 512.0f, 0.0f) + band.late.y * gabor_cpp_max(share - 768.0f, 0.0f) + band.late.z * gabor_cpp_max(share - 960.0f, 0.0f));
+    gabor_vec4 bent = gabor_cpp_trunc(band.spread.x + band.spread.y * gabor_cpp_trunc(0.001953125f * u * u));
+    gabor_vec4 angle = gabor_cpp_trunc(2.44140625e-4f * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
+    gabor_vec4 part = gabor_cpp_trunc(1.220703125e-4f * angle), lag = gabor_cpp_trunc(4.8828125e-4f * part * part);
+    gabor_vec4 steep = gabor_cpp_trunc(9.765625e-4f * rise * rise), carried = steep - gabor_cpp_trunc(9.765625e-4f * steep * lag);
+    gabor_vec4 count = gabor_cpp_trunc(scale * rise + half_step);
+    gabor_vec4 turning = quantum.x * count - gabor_cpp_trunc((quantum.x > 1.0f ? 0.0f : band.low / 16384.0f) * gabor_cpp_trunc(6.7265625f * carried));
     // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
     gabor_vec4 k = (normal ? 0.9986f : 0.978f) * 9.37e-10f * quantum.x * quantum.x * count * count;
     gabor_vec4 chord = 1.1920929e-7f * angle, cosine = 1.0f - 0.5f * chord * chord, sine = chord * gabor_cpp_sqrt(1.0f - 0.25f * chord * chord);

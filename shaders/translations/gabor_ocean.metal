@@ -28,14 +28,14 @@ using namespace metal;
 #error GABOR_OCEAN_BANDS must be 1 to 12
 #endif
 
-// Waves from one wavelength to half of it. `low`, the steps and `spread` are multiples of powers of 2, so that sums are exact.
+// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
     float2 slopes;     // variance of the slopes along the band's direction and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     float low;       // 65536 times the lowest frequency in Hz
-    float4 steps;      // how fast the frequency rises in the first eighth of the power, and how much faster in the next three quarters
-    float last_step; // and in the last eighth
+    float3 early;      // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next 3/16, 4/16,
+    float3 late;       // 4/16, 3/16 and 1/16
     float3 spread;     // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1],
     float2 widen;      // times a linear function of the frequency
     int2 drift;     // 32768 times the group velocity in nodes per second
@@ -147,10 +147,11 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
                      + c * c * (2.0 * rest + 0.2 * c * c); // the mean of sin(d / 2)^4
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
         // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
-        float4 knots = float4(0.0), ahead = float4(0.1236, 0.3709, 0.6181, 0.8654);
+        float3 early = float3(0.0), late = float3(0.0), ahead = float3(0.0621, 0.2483, 0.4965);
         for (int j = 0; j < 16; ++j) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5) * width), peak, scale, sharp).x;
-            knots += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
+            early += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
+            late += 26.5 * clamp((ahead + float3(0.6827, 0.6827, 0.5035)) / max(part, 1.0e-9), 0.0, 1.0);
             ahead -= part;
         }
         GaborOceanBand band;
@@ -160,9 +161,10 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         if (!remote) ocean.tail -= band.slopes;
         band.exponent = remote ? int(floor(log2(18.0 / (peak * peak)))) : 34 - 2 * power - i + (i > 0 && i < 4 ? 1 : -1);
         band.low = low;
-        band.steps = floor((knots - float4(0.0, knots.xyz)) * float4(2.0, 1.0, 1.0, 1.0) + 0.5) / 256.0;
-        band.last_step = floor(2.0 * (424.0 - knots.w) + 0.5) / 256.0 - band.steps.w;
-        band.steps -= float4(0.0, band.steps.xyz);
+        band.early = floor((early - float3(0.0, early.xy)) * float3(4.0, 1.3333333, 1.0) + 0.5) / 256.0;
+        band.late = floor((late - float3(early.z, late.xy)) * float3(1.0, 1.3333333, 4.0) + 0.5) / 256.0;
+        band.late -= float3(band.early.z, band.late.xy);
+        band.early -= float3(0.0, band.early.xy);
         band.spread = floor(511.5 * float3(a, b, c)) * float3(8.0, 0.00390625, 8.0);
         band.widen = floor(16384.0 * float2(1.0 - (fit.x + 1236.0) * widen, widen));
         float speed = ocean.loop > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
@@ -175,14 +177,6 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
 
 inline GaborOcean gabor_ocean(float wind) {
     return gabor_ocean_of(wind, 0.0, 2.0e5, float3(0.0), 0);
-}
-
-inline float4 gabor_impl_whole(float4 x) {
-#ifdef __cplusplus // where trunc is slow
-    return float4(int4(x));
-#else
-    return trunc(x);
-#endif
 }
 
 inline float3 gabor_impl_slopes_along(float2 variances, float2 along) { // xx, xy and xx + yy for these variances along a unit vector and across
@@ -221,14 +215,14 @@ inline void gabor_impl_add_band(thread GaborWater& sum, thread float3& squeeze, 
     // `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d. `turning` is
     // F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
     float4 share = float4(bits >> 22u), u = float4(int4(bits << 10u) >> 21), w = float4(int4(bits << 21u) >> 21); // 10, 11 and 11 bits
-    float4 rise = gabor_impl_whole(1024.0 + band.steps.x * share + band.steps.y * max(share - 128.0, 0.0) + band.steps.z * max(share - 384.0, 0.0)
-                               + band.steps.w * max(share - 640.0, 0.0) + band.last_step * max(share - 896.0, 0.0));
-    float4 bent = gabor_impl_whole(band.spread.x + band.spread.y * gabor_impl_whole(0.001953125 * u * u));
-    float4 angle = gabor_impl_whole(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
-    float4 part = gabor_impl_whole(1.220703125e-4 * angle), lag = gabor_impl_whole(4.8828125e-4 * part * part);
-    float4 steep = gabor_impl_whole(9.765625e-4 * rise * rise), carried = steep - gabor_impl_whole(9.765625e-4 * steep * lag);
-    float4 count = gabor_impl_whole(scale * rise + half_step);
-    float4 turning = quantum.x * count - gabor_impl_whole((quantum.x > 1.0 ? 0.0 : band.low / 16384.0) * gabor_impl_whole(6.7265625 * carried));
+    float4 rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, 0.0) + band.early.z * max(share - 256.0, 0.0)
+                    + band.late.x * max(share - 512.0, 0.0) + band.late.y * max(share - 768.0, 0.0) + band.late.z * max(share - 960.0, 0.0));
+    float4 bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u));
+    float4 angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
+    float4 part = trunc(1.220703125e-4 * angle), lag = trunc(4.8828125e-4 * part * part);
+    float4 steep = trunc(9.765625e-4 * rise * rise), carried = steep - trunc(9.765625e-4 * steep * lag);
+    float4 count = trunc(scale * rise + half_step);
+    float4 turning = quantum.x * count - trunc((quantum.x > 1.0 ? 0.0 : band.low / 16384.0) * trunc(6.7265625 * carried));
     // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
     float4 k = (normal ? 0.9986 : 0.978) * 9.37e-10 * quantum.x * quantum.x * count * count;
     float4 chord = 1.1920929e-7 * angle, cosine = 1.0 - 0.5 * chord * chord, sine = chord * sqrt(1.0 - 0.25 * chord * chord);

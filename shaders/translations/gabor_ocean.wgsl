@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 3b35e5b1e8831697.
+// naga 30.0.1 made it from GLSL with the digest 7c028a928bb31872.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -15,14 +15,14 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves from one wavelength to half of it. `low`, the steps and `spread` are multiples of powers of 2, so that sums are exact.
+// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that sums are exact.
 struct GaborOceanBand {
     amplitude: f32, // rms height in metres
     slopes: vec2<f32>, // variance of the slopes along the band's direction and across it
     exponent: i32, // the spacing of nodes is 2^exponent metres
     low: f32, // 65536 times the lowest frequency in Hz
-    steps: vec4<f32>, // how fast the frequency rises in the first eighth of the power, and how much faster in the next three quarters
-    last_step: f32, // and in the last eighth
+    early: vec3<f32>, // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next 3/16, 4/16,
+    late: vec3<f32>, // 4/16, 3/16 and 1/16
     spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1],
     widen: vec2<f32>, // times a linear function of the frequency
     drift: vec2<i32>, // 32768 times the group velocity in nodes per second
@@ -141,8 +141,9 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     var b_2: f32;
     var fourth_1: f32;
     var along: f32;
-    var knots: vec4<f32>;
-    var ahead: vec4<f32>;
+    var early: vec3<f32>;
+    var late: vec3<f32>;
+    var ahead: vec3<f32>;
     var j_2: i32;
     var part_1: f32;
     var band: GaborOceanBand;
@@ -351,151 +352,159 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
             let _e432 = variance;
             let _e436 = fourth_1;
             along = ((1f - (4f * _e432)) + (4f * _e436));
-            knots = vec4(0f);
-            ahead = vec4<f32>(0.1236f, 0.3709f, 0.6181f, 0.8654f);
+            early = vec3(0f);
+            late = vec3(0f);
+            ahead = vec3<f32>(0.0621f, 0.2483f, 0.4965f);
             j_2 = 0i;
             loop {
-                let _e451 = j_2;
-                if !((_e451 < 16i)) {
+                let _e453 = j_2;
+                if !((_e453 < 16i)) {
                     break;
                 }
                 {
-                    let _e458 = tick;
-                    let _e459 = width;
-                    let _e461 = sum_5;
-                    let _e464 = tick;
-                    let _e465 = low;
-                    let _e466 = j_2;
-                    let _e470 = width;
-                    let _e474 = peak_1;
-                    let _e475 = scale_1;
-                    let _e476 = sharp_1;
-                    let _e477 = gabor_impl_spectrum((_e464 * (_e465 + ((f32(_e466) + 0.5f) * _e470))), _e474, _e475, _e476);
-                    part_1 = (((_e458 * _e459) / _e461.x) * _e477.x);
-                    let _e481 = knots;
-                    let _e483 = ahead;
-                    let _e484 = part_1;
-                    knots = (_e481 + (26.5f * clamp((_e483 / vec4(max(_e484, 0.000000001f))), vec4(0f), vec4(1f))));
-                    let _e496 = ahead;
-                    let _e497 = part_1;
-                    ahead = (_e496 - vec4(_e497));
+                    let _e460 = tick;
+                    let _e461 = width;
+                    let _e463 = sum_5;
+                    let _e466 = tick;
+                    let _e467 = low;
+                    let _e468 = j_2;
+                    let _e472 = width;
+                    let _e476 = peak_1;
+                    let _e477 = scale_1;
+                    let _e478 = sharp_1;
+                    let _e479 = gabor_impl_spectrum((_e466 * (_e467 + ((f32(_e468) + 0.5f) * _e472))), _e476, _e477, _e478);
+                    part_1 = (((_e460 * _e461) / _e463.x) * _e479.x);
+                    let _e483 = early;
+                    let _e485 = ahead;
+                    let _e486 = part_1;
+                    early = (_e483 + (26.5f * clamp((_e485 / vec3(max(_e486, 0.000000001f))), vec3(0f), vec3(1f))));
+                    let _e498 = late;
+                    let _e500 = ahead;
+                    let _e506 = part_1;
+                    late = (_e498 + (26.5f * clamp(((_e500 + vec3<f32>(0.6827f, 0.6827f, 0.5035f)) / vec3(max(_e506, 0.000000001f))), vec3(0f), vec3(1f))));
+                    let _e518 = ahead;
+                    let _e519 = part_1;
+                    ahead = (_e518 - vec3(_e519));
                 }
                 continuing {
-                    let _e455 = j_2;
-                    j_2 = (_e455 + 1i);
+                    let _e457 = j_2;
+                    j_2 = (_e457 + 1i);
                 }
             }
-            let _e501 = remote;
-            if _e501 {
-                let _e503 = ocean;
-                let _e507 = ocean;
-                local_17 = ((0.0625f * _e503.swell.x) * _e507.swell.x);
+            let _e523 = remote;
+            if _e523 {
+                let _e525 = ocean;
+                let _e529 = ocean;
+                local_17 = ((0.0625f * _e525.swell.x) * _e529.swell.x);
             } else {
-                let _e511 = low;
-                if (_e511 > 262144f) {
+                let _e533 = low;
+                if (_e533 > 262144f) {
                     local_16 = 0f;
                 } else {
-                    let _e515 = sum_5;
-                    local_16 = _e515.x;
+                    let _e537 = sum_5;
+                    local_16 = _e537.x;
                 }
-                let _e518 = local_16;
-                local_17 = _e518;
+                let _e540 = local_16;
+                local_17 = _e540;
             }
-            let _e520 = local_17;
-            tall = _e520;
-            let _e523 = tall;
-            band.amplitude = sqrt(_e523);
-            let _e527 = tall;
-            let _e529 = sum_5;
-            let _e532 = sum_5;
-            let _e535 = along;
-            let _e537 = along;
-            band.slopes = ((((16.195057f * _e527) * _e529.y) / _e532.x) * vec2<f32>(_e535, (1f - _e537)));
-            let _e541 = remote;
-            if !(_e541) {
-                let _e544 = ocean;
-                let _e546 = band;
-                ocean.tail = (_e544.tail - _e546.slopes);
+            let _e542 = local_17;
+            tall = _e542;
+            let _e545 = tall;
+            band.amplitude = sqrt(_e545);
+            let _e549 = tall;
+            let _e551 = sum_5;
+            let _e554 = sum_5;
+            let _e557 = along;
+            let _e559 = along;
+            band.slopes = ((((16.195057f * _e549) * _e551.y) / _e554.x) * vec2<f32>(_e557, (1f - _e559)));
+            let _e563 = remote;
+            if !(_e563) {
+                let _e566 = ocean;
+                let _e568 = band;
+                ocean.tail = (_e566.tail - _e568.slopes);
             }
-            let _e550 = remote;
-            if _e550 {
-                let _e552 = peak_1;
-                let _e553 = peak_1;
-                local_19 = i32(floor(log2((18f / (_e552 * _e553)))));
+            let _e572 = remote;
+            if _e572 {
+                let _e574 = peak_1;
+                let _e575 = peak_1;
+                local_19 = i32(floor(log2((18f / (_e574 * _e575)))));
             } else {
-                let _e561 = power_1;
-                let _e564 = i;
-                let _e566 = i;
-                let _e569 = i;
-                if ((_e566 > 0i) && (_e569 < 4i)) {
+                let _e583 = power_1;
+                let _e586 = i;
+                let _e588 = i;
+                let _e591 = i;
+                if ((_e588 > 0i) && (_e591 < 4i)) {
                     local_18 = 1i;
                 } else {
                     local_18 = -1i;
                 }
-                let _e577 = local_18;
-                local_19 = (((34i - (2i * _e561)) - _e564) + _e577);
+                let _e599 = local_18;
+                local_19 = (((34i - (2i * _e583)) - _e586) + _e599);
             }
-            let _e580 = local_19;
-            band.exponent = _e580;
-            let _e582 = low;
-            band.low = _e582;
-            let _e584 = knots;
-            let _e586 = knots;
-            let _e587 = _e586.xyz;
-            band.steps = (floor((((_e584 - vec4<f32>(0f, _e587.x, _e587.y, _e587.z)) * vec4<f32>(2f, 1f, 1f, 1f)) + vec4(0.5f))) / vec4(256f));
-            let _e609 = knots;
-            let _e618 = band;
-            band.last_step = ((floor(((2f * (424f - _e609.w)) + 0.5f)) / 256f) - _e618.steps.w);
-            let _e623 = band;
-            let _e626 = band;
-            let _e628 = _e626.steps.xyz;
-            band.steps = (_e623.steps - vec4<f32>(0f, _e628.x, _e628.y, _e628.z));
-            let _e636 = a_2;
-            let _e637 = b_2;
-            let _e638 = c_1;
-            band.spread = (floor((511.5f * vec3<f32>(_e636, _e637, _e638))) * vec3<f32>(8f, 0.00390625f, 8f));
-            let _e650 = fit;
-            let _e654 = widen;
-            let _e657 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - ((_e650.x + 1236f) * _e654)), _e657)));
-            let _e661 = ocean;
-            if (_e661.loop_ > 0i) {
+            let _e602 = local_19;
+            band.exponent = _e602;
+            let _e604 = low;
+            band.low = _e604;
+            let _e606 = early;
+            let _e608 = early;
+            let _e609 = _e608.xy;
+            band.early = (floor((((_e606 - vec3<f32>(0f, _e609.x, _e609.y)) * vec3<f32>(4f, 1.3333333f, 1f)) + vec3(0.5f))) / vec3(256f));
+            let _e627 = late;
+            let _e628 = early;
+            let _e630 = late;
+            let _e631 = _e630.xy;
+            band.late = (floor((((_e627 - vec3<f32>(_e628.z, _e631.x, _e631.y)) * vec3<f32>(1f, 1.3333333f, 4f)) + vec3(0.5f))) / vec3(256f));
+            let _e649 = band;
+            let _e651 = band;
+            let _e654 = band;
+            let _e656 = _e654.late.xy;
+            band.late = (_e649.late - vec3<f32>(_e651.early.z, _e656.x, _e656.y));
+            let _e662 = band;
+            let _e665 = band;
+            let _e667 = _e665.early.xy;
+            band.early = (_e662.early - vec3<f32>(0f, _e667.x, _e667.y));
+            let _e674 = a_2;
+            let _e675 = b_2;
+            let _e676 = c_1;
+            band.spread = (floor((511.5f * vec3<f32>(_e674, _e675, _e676))) * vec3<f32>(8f, 0.00390625f, 8f));
+            let _e688 = fit;
+            let _e692 = widen;
+            let _e695 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - ((_e688.x + 1236f) * _e692)), _e695)));
+            let _e699 = ocean;
+            if (_e699.loop_ > 0i) {
                 local_20 = 0f;
             } else {
-                let _e667 = gravity;
-                let _e670 = tick;
-                let _e672 = low;
-                let _e677 = band;
-                local_20 = (((32768f * _e667) / (((12.566371f * _e670) * _e672) * 1.1892071f)) * exp2(-(f32(_e677.exponent))));
+                let _e705 = gravity;
+                let _e708 = tick;
+                let _e710 = low;
+                let _e715 = band;
+                local_20 = (((32768f * _e705) / (((12.566371f * _e708) * _e710) * 1.1892071f)) * exp2(-(f32(_e715.exponent))));
             }
-            let _e684 = local_20;
-            speed = _e684;
-            let _e687 = speed;
-            let _e689 = direction_1;
-            let _e691 = gabor_impl_wave((0.15915494f * _e689));
-            band.drift = vec2<i32>(floor(((_e687 * _e691) + vec2(0.5f))));
-            let _e698 = i;
-            let _e701 = band;
-            ocean.band[_e698] = _e701;
+            let _e722 = local_20;
+            speed = _e722;
+            let _e725 = speed;
+            let _e727 = direction_1;
+            let _e729 = gabor_impl_wave((0.15915494f * _e727));
+            band.drift = vec2<i32>(floor(((_e725 * _e729) + vec2(0.5f))));
+            let _e736 = i;
+            let _e739 = band;
+            ocean.band[_e736] = _e739;
         }
         continuing {
             let _e113 = i;
             i = (_e113 + 1i);
         }
     }
-    let _e703 = ocean;
-    ocean.tail = max(_e703.tail, vec2(0f));
-    let _e708 = ocean;
-    return _e708;
+    let _e741 = ocean;
+    ocean.tail = max(_e741.tail, vec2(0f));
+    let _e746 = ocean;
+    return _e746;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
     let _e6 = gabor_ocean_of(wind, 0f, 200000f, vec3(0f), 0i);
     return _e6;
-}
-
-fn gabor_impl_whole(x: vec4<f32>) -> vec4<f32> {
-    return trunc(x);
 }
 
 fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> {
@@ -556,7 +565,7 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     var chord: vec4<f32>;
     var cosine: vec4<f32>;
     var sine: vec4<f32>;
-    var x_7: vec4<f32>;
+    var x_6: vec4<f32>;
     var y_4: vec4<f32>;
     var ticks: vec4<u32>;
     var phase_1: vec4<f32>;
@@ -708,201 +717,191 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     let _e378 = share;
     let _e389 = share;
     let _e400 = share;
-    let _e410 = share;
-    let _e419 = gabor_impl_whole((((((vec4(1024f) + (band.steps.x * _e372)) + (band.steps.y * max((_e378 - vec4(128f)), vec4(0f)))) + (band.steps.z * max((_e389 - vec4(384f)), vec4(0f)))) + (band.steps.w * max((_e400 - vec4(640f)), vec4(0f)))) + (band.last_step * max((_e410 - vec4(896f)), vec4(0f)))));
-    rise = _e419;
-    let _e426 = u_1;
-    let _e428 = u_1;
-    let _e430 = gabor_impl_whole(((0.001953125f * _e426) * _e428));
-    let _e434 = gabor_impl_whole((vec4(band.spread.x) + (band.spread.y * _e430)));
-    bent = _e434;
-    let _e437 = u_1;
-    let _e438 = bent;
-    let _e440 = w;
-    let _e446 = gabor_impl_whole((0.00024414063f * ((_e437 * _e438) + (_e440 * band.spread.z))));
-    let _e451 = rise;
-    angle = (_e446 * (vec4(band.widen.x) + (band.widen.y * _e451)));
-    let _e458 = angle;
-    let _e460 = gabor_impl_whole((0.00012207031f * _e458));
-    part_2 = _e460;
-    let _e463 = part_2;
-    let _e465 = part_2;
-    let _e467 = gabor_impl_whole(((0.00048828125f * _e463) * _e465));
-    lag = _e467;
-    let _e470 = rise;
-    let _e472 = rise;
-    let _e474 = gabor_impl_whole(((0.0009765625f * _e470) * _e472));
-    steep = _e474;
-    let _e476 = steep;
-    let _e478 = steep;
-    let _e480 = lag;
-    let _e482 = gabor_impl_whole(((0.0009765625f * _e478) * _e480));
-    carried = (_e476 - _e482);
-    let _e485 = scale_2;
-    let _e486 = rise;
-    let _e488 = half_step;
-    let _e491 = gabor_impl_whole(((_e485 * _e486) + vec4(_e488)));
-    count = _e491;
-    let _e494 = count;
+    let _e411 = share;
+    let _e422 = share;
+    rise = trunc(((((((vec4(1024f) + (band.early.x * _e372)) + (band.early.y * max((_e378 - vec4(64f)), vec4(0f)))) + (band.early.z * max((_e389 - vec4(256f)), vec4(0f)))) + (band.late.x * max((_e400 - vec4(512f)), vec4(0f)))) + (band.late.y * max((_e411 - vec4(768f)), vec4(0f)))) + (band.late.z * max((_e422 - vec4(960f)), vec4(0f)))));
+    let _e438 = u_1;
+    let _e440 = u_1;
+    bent = trunc((vec4(band.spread.x) + (band.spread.y * trunc(((0.001953125f * _e438) * _e440)))));
+    let _e449 = u_1;
+    let _e450 = bent;
+    let _e452 = w;
+    let _e463 = rise;
+    angle = (trunc((0.00024414063f * ((_e449 * _e450) + (_e452 * band.spread.z)))) * (vec4(band.widen.x) + (band.widen.y * _e463)));
+    let _e470 = angle;
+    part_2 = trunc((0.00012207031f * _e470));
+    let _e475 = part_2;
+    let _e477 = part_2;
+    lag = trunc(((0.00048828125f * _e475) * _e477));
+    let _e482 = rise;
+    let _e484 = rise;
+    steep = trunc(((0.0009765625f * _e482) * _e484));
+    let _e488 = steep;
+    let _e490 = steep;
+    let _e492 = lag;
+    carried = (_e488 - trunc(((0.0009765625f * _e490) * _e492)));
+    let _e497 = scale_2;
+    let _e498 = rise;
+    let _e500 = half_step;
+    count = trunc(((_e497 * _e498) + vec4(_e500)));
+    let _e506 = count;
     if (quantum.x > 1f) {
         local_22 = 0f;
     } else {
         local_22 = (band.low / 16384f);
     }
-    let _e504 = local_22;
-    let _e506 = carried;
-    let _e508 = gabor_impl_whole((6.7265625f * _e506));
-    let _e510 = gabor_impl_whole((_e504 * _e508));
-    turning = ((quantum.x * _e494) - _e510);
+    let _e516 = local_22;
+    let _e518 = carried;
+    turning = ((quantum.x * _e506) - trunc((_e516 * trunc((6.7265625f * _e518)))));
     if normal {
         local_23 = 0.9986f;
     } else {
         local_23 = 0.978f;
     }
-    let _e516 = local_23;
-    let _e523 = count;
-    let _e525 = count;
-    k = (((((_e516 * 0.000000000937f) * quantum.x) * quantum.x) * _e523) * _e525);
-    let _e529 = angle;
-    chord = (0.00000011920929f * _e529);
-    let _e534 = chord;
-    let _e536 = chord;
-    cosine = (vec4(1f) - ((0.5f * _e534) * _e536));
-    let _e541 = chord;
-    let _e544 = chord;
+    let _e528 = local_23;
+    let _e535 = count;
+    let _e537 = count;
+    k = (((((_e528 * 0.000000000937f) * quantum.x) * quantum.x) * _e535) * _e537);
+    let _e541 = angle;
+    chord = (0.00000011920929f * _e541);
     let _e546 = chord;
-    sine = (_e541 * sqrt((vec4(1f) - ((0.25f * _e544) * _e546))));
-    let _e554 = cosine;
-    let _e557 = sine;
-    x_7 = ((heading.x * _e554) - (heading.y * _e557));
-    let _e562 = cosine;
-    let _e565 = sine;
-    y_4 = ((heading.y * _e562) + (heading.x * _e565));
-    let _e569 = turning;
-    let _e574 = word_5;
-    ticks = (((vec4<u32>(vec4<i32>(_e569)) * u32(second)) + (_e574 >> vec4(16u))) & vec4(65535u));
-    let _e584 = k;
-    let _e586 = x_7;
-    let _e587 = from_x;
-    let _e589 = y_4;
-    let _e590 = from_y;
-    let _e595 = ticks;
-    let _e597 = turning;
-    phase_1 = (((0.15915494f * _e584) * ((_e586 * _e587) + (_e589 * _e590))) - (0.000015258789f * (vec4<f32>(_e595) + (_e597 * fraction))));
-    let _e603 = phase_1;
-    let _e605 = gabor_impl_wave(_e603.x);
-    a_3 = _e605;
-    let _e607 = phase_1;
-    let _e609 = gabor_impl_wave(_e607.y);
-    b_3 = _e609;
-    let _e611 = phase_1;
-    let _e613 = gabor_impl_wave(_e611.z);
-    c_2 = _e613;
+    let _e548 = chord;
+    cosine = (vec4(1f) - ((0.5f * _e546) * _e548));
+    let _e553 = chord;
+    let _e556 = chord;
+    let _e558 = chord;
+    sine = (_e553 * sqrt((vec4(1f) - ((0.25f * _e556) * _e558))));
+    let _e566 = cosine;
+    let _e569 = sine;
+    x_6 = ((heading.x * _e566) - (heading.y * _e569));
+    let _e574 = cosine;
+    let _e577 = sine;
+    y_4 = ((heading.y * _e574) + (heading.x * _e577));
+    let _e581 = turning;
+    let _e586 = word_5;
+    ticks = (((vec4<u32>(vec4<i32>(_e581)) * u32(second)) + (_e586 >> vec4(16u))) & vec4(65535u));
+    let _e596 = k;
+    let _e598 = x_6;
+    let _e599 = from_x;
+    let _e601 = y_4;
+    let _e602 = from_y;
+    let _e607 = ticks;
+    let _e609 = turning;
+    phase_1 = (((0.15915494f * _e596) * ((_e598 * _e599) + (_e601 * _e602))) - (0.000015258789f * (vec4<f32>(_e607) + (_e609 * fraction))));
     let _e615 = phase_1;
-    let _e617 = gabor_impl_wave(_e615.w);
-    d = _e617;
-    let _e620 = word_5;
-    square = (0.000015258789f * vec4<f32>((_e620 & vec4(65535u))));
-    let _e627 = k;
-    let _e628 = x_7;
-    let _e631 = y_4;
-    steps_x = (_e627 * ((_e628 * dx.x) + (_e631 * dx.y)));
-    let _e637 = k;
-    let _e638 = x_7;
-    let _e641 = y_4;
-    steps_y = (_e637 * ((_e638 * dy.x) + (_e641 * dy.y)));
-    let _e649 = steps_x;
-    let _e650 = steps_x;
-    let _e652 = steps_y;
-    let _e653 = steps_y;
-    kept = exp((-0.125f * ((_e649 * _e650) + (_e652 * _e653))));
-    let _e659 = kept;
-    let _e660 = square;
-    amplitude_2 = (_e659 * sqrt(_e660));
-    let _e664 = amplitude_2;
+    let _e617 = gabor_impl_wave(_e615.x);
+    a_3 = _e617;
+    let _e619 = phase_1;
+    let _e621 = gabor_impl_wave(_e619.y);
+    b_3 = _e621;
+    let _e623 = phase_1;
+    let _e625 = gabor_impl_wave(_e623.z);
+    c_2 = _e625;
+    let _e627 = phase_1;
+    let _e629 = gabor_impl_wave(_e627.w);
+    d = _e629;
+    let _e632 = word_5;
+    square = (0.000015258789f * vec4<f32>((_e632 & vec4(65535u))));
+    let _e639 = k;
+    let _e640 = x_6;
+    let _e643 = y_4;
+    steps_x = (_e639 * ((_e640 * dx.x) + (_e643 * dx.y)));
+    let _e649 = k;
+    let _e650 = x_6;
+    let _e653 = y_4;
+    steps_y = (_e649 * ((_e650 * dy.x) + (_e653 * dy.y)));
+    let _e661 = steps_x;
+    let _e662 = steps_x;
+    let _e664 = steps_y;
+    let _e665 = steps_y;
+    kept = exp((-0.125f * ((_e661 * _e662) + (_e664 * _e665))));
+    let _e671 = kept;
+    let _e672 = square;
+    amplitude_2 = (_e671 * sqrt(_e672));
+    let _e676 = amplitude_2;
     if normal {
-        let _e667 = square;
-        let _e673 = square;
-        local_24 = ((vec4(1.3034767f) + (0.3870924f * _e667)) + (vec4(0.0960481f) / (vec4(1.0580432f) - _e673)));
+        let _e679 = square;
+        let _e685 = square;
+        local_24 = ((vec4(1.3034767f) + (0.3870924f * _e679)) + (vec4(0.0960481f) / (vec4(1.0580432f) - _e685)));
     } else {
         local_24 = vec4(2f);
     }
-    let _e682 = local_24;
-    amplitude_2 = (_e664 * _e682);
-    let _e684 = amplitude_2;
-    let _e685 = a_3;
-    let _e687 = b_3;
-    let _e689 = c_2;
-    let _e691 = d;
-    height = (_e684 * vec4<f32>(_e685.y, _e687.y, _e689.y, _e691.y));
-    let _e696 = window;
-    let _e697 = amplitude_2;
-    let _e699 = a_3;
-    let _e701 = b_3;
-    let _e703 = c_2;
-    let _e705 = d;
-    along_2 = ((_e696 * _e697) * vec4<f32>(_e699.x, _e701.x, _e703.x, _e705.x));
-    let _e711 = (*sum);
-    let _e713 = height;
-    let _e714 = window_x;
-    let _e716 = height;
-    let _e717 = window_y;
-    (*sum).slope = (_e711.slope + vec2<f32>(dot(_e713, _e714), dot(_e716, _e717)));
-    let _e721 = height;
-    let _e722 = window;
-    height = (_e721 * _e722);
-    let _e724 = k;
-    let _e725 = along_2;
-    steepness = (_e724 * _e725);
-    let _e728 = k;
-    let _e729 = height;
-    squeezed = (_e728 * _e729);
+    let _e694 = local_24;
+    amplitude_2 = (_e676 * _e694);
+    let _e696 = amplitude_2;
+    let _e697 = a_3;
+    let _e699 = b_3;
+    let _e701 = c_2;
+    let _e703 = d;
+    height = (_e696 * vec4<f32>(_e697.y, _e699.y, _e701.y, _e703.y));
+    let _e708 = window;
+    let _e709 = amplitude_2;
+    let _e711 = a_3;
+    let _e713 = b_3;
+    let _e715 = c_2;
+    let _e717 = d;
+    along_2 = ((_e708 * _e709) * vec4<f32>(_e711.x, _e713.x, _e715.x, _e717.x));
+    let _e723 = (*sum);
+    let _e725 = height;
+    let _e726 = window_x;
+    let _e728 = height;
+    let _e729 = window_y;
+    (*sum).slope = (_e723.slope + vec2<f32>(dot(_e725, _e726), dot(_e728, _e729)));
+    let _e733 = height;
+    let _e734 = window;
+    height = (_e733 * _e734);
+    let _e736 = k;
+    let _e737 = along_2;
+    steepness = (_e736 * _e737);
+    let _e740 = k;
+    let _e741 = height;
+    squeezed = (_e740 * _e741);
     if normal {
         local_25 = 1.003f;
     } else {
         local_25 = 1.048f;
     }
-    let _e735 = local_25;
-    let _e736 = window;
-    let _e738 = window;
-    let _e740 = k;
-    let _e742 = k;
-    let _e745 = kept;
-    let _e746 = kept;
-    lost = (((((_e735 * _e736) * _e738) * _e740) * _e742) * (vec4(1f) - (_e745 * _e746)));
-    let _e753 = (*sum);
-    let _e755 = height;
-    (*sum).height = (_e753.height + dot(_e755, vec4(1f)));
-    let _e761 = (*sum);
-    let _e763 = steepness;
-    let _e764 = x_7;
-    let _e766 = steepness;
-    let _e767 = y_4;
-    (*sum).slope = (_e761.slope + vec2<f32>(dot(_e763, _e764), dot(_e766, _e767)));
-    let _e772 = (*sum);
-    let _e774 = along_2;
-    let _e775 = x_7;
-    let _e777 = along_2;
-    let _e778 = y_4;
-    (*sum).shift = (_e772.shift + vec2<f32>(dot(_e774, _e775), dot(_e777, _e778)));
-    let _e782 = (*squeeze);
-    let _e783 = squeezed;
-    let _e784 = x_7;
-    let _e785 = x_7;
-    let _e788 = squeezed;
-    let _e789 = x_7;
+    let _e747 = local_25;
+    let _e748 = window;
+    let _e750 = window;
+    let _e752 = k;
+    let _e754 = k;
+    let _e757 = kept;
+    let _e758 = kept;
+    lost = (((((_e747 * _e748) * _e750) * _e752) * _e754) * (vec4(1f) - (_e757 * _e758)));
+    let _e765 = (*sum);
+    let _e767 = height;
+    (*sum).height = (_e765.height + dot(_e767, vec4(1f)));
+    let _e773 = (*sum);
+    let _e775 = steepness;
+    let _e776 = x_6;
+    let _e778 = steepness;
+    let _e779 = y_4;
+    (*sum).slope = (_e773.slope + vec2<f32>(dot(_e775, _e776), dot(_e778, _e779)));
+    let _e784 = (*sum);
+    let _e786 = along_2;
+    let _e787 = x_6;
+    let _e789 = along_2;
     let _e790 = y_4;
-    let _e793 = squeezed;
-    (*squeeze) = (_e782 + vec3<f32>(dot(_e783, (_e784 * _e785)), dot(_e788, (_e789 * _e790)), dot(_e793, vec4(1f))));
-    let _e800 = (*sum);
-    let _e802 = lost;
-    let _e803 = x_7;
-    let _e804 = x_7;
-    let _e807 = lost;
-    let _e808 = x_7;
-    let _e809 = y_4;
-    let _e812 = lost;
-    (*sum).lost = (_e800.lost + vec3<f32>(dot(_e802, (_e803 * _e804)), dot(_e807, (_e808 * _e809)), dot(_e812, vec4(1f))));
+    (*sum).shift = (_e784.shift + vec2<f32>(dot(_e786, _e787), dot(_e789, _e790)));
+    let _e794 = (*squeeze);
+    let _e795 = squeezed;
+    let _e796 = x_6;
+    let _e797 = x_6;
+    let _e800 = squeezed;
+    let _e801 = x_6;
+    let _e802 = y_4;
+    let _e805 = squeezed;
+    (*squeeze) = (_e794 + vec3<f32>(dot(_e795, (_e796 * _e797)), dot(_e800, (_e801 * _e802)), dot(_e805, vec4(1f))));
+    let _e812 = (*sum);
+    let _e814 = lost;
+    let _e815 = x_6;
+    let _e816 = x_6;
+    let _e819 = lost;
+    let _e820 = x_6;
+    let _e821 = y_4;
+    let _e824 = lost;
+    (*sum).lost = (_e812.lost + vec3<f32>(dot(_e814, (_e815 * _e816)), dot(_e819, (_e820 * _e821)), dot(_e824, vec4(1f))));
     return;
 }
 

@@ -170,8 +170,12 @@ GABOR_INLINE float gabor_cpp_floor(float x) {
     return gabor_cpp_choose(bounded == x, whole - gabor_cpp_choose(whole > bounded, 1.0f, 0.0f), x);
 }
 GABOR_INLINE float gabor_cpp_trunc(float x) {
+#if defined __SSE4_1__ || defined __aarch64__
+    return std::trunc(x);
+#else
     const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
     return gabor_cpp_choose(bounded == x, float(int(bounded)), x);
+#endif
 }
 GABOR_INLINE float gabor_cpp_ceil(float x) {
     return -gabor_cpp_floor(-x);

@@ -14,11 +14,11 @@ function uniforms_of(address) {
     const floats = new Float32Array(cpu.memory.buffer, address), ints = new Int32Array(cpu.memory.buffer, address);
     const band = at => ({
         amplitude: floats[at], slopes: floats.slice(at + 1, at + 3), exponent: ints[at + 3], low: floats[at + 4],
-        steps: floats.slice(at + 5, at + 9), last_step: floats[at + 9], spread: floats.slice(at + 10, at + 13),
-        widen: floats.slice(at + 13, at + 15), drift: ints.slice(at + 15, at + 17),
+        early: floats.slice(at + 5, at + 8), late: floats.slice(at + 8, at + 11), spread: floats.slice(at + 11, at + 14),
+        widen: floats.slice(at + 14, at + 16), drift: ints.slice(at + 16, at + 18),
     });
     return { wind: floats[0], direction: floats[1], fetch: floats[2], swell: floats.slice(3, 6), loop: ints[6], tail: floats.slice(7, 9),
-             band: Array.from({ length: 10 }, (_, i) => band(9 + 17 * i)) };
+             band: Array.from({ length: 10 }, (_, i) => band(9 + 18 * i)) };
 }
 
 const uniforms = { seconds: { value: 0 }, ocean: { value: uniforms_of(cpu.sea(wind)) } };
