@@ -142,8 +142,8 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
         // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
         vec3 early = vec3(0.0), late = vec3(0.0), ahead = vec3(0.0621, 0.2483, 0.4965);
-        for (int j = 0; j < 16; ++j) {
-            float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5) * width), peak, scale, sharp).x;
+        for (int n = 0; n < 16; ++n) {
+            float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(n) + 0.5) * width), peak, scale, sharp).x;
             early += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
             late += 26.5 * clamp((ahead + vec3(0.6827, 0.6827, 0.5035)) / max(part, 1.0e-9), 0.0, 1.0);
             ahead -= part;
@@ -192,7 +192,7 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     ivec2 drifted = (second & 0xffff) * band.drift;
     int up = max(band.exponent, 0), down = max(-band.exponent, 0);
     float spacing = exp2(float(band.exponent));
-    vec2 rest = (vec2(cell & ((1 << up) - 1)) + local) / spacing - vec2(drifted & 32767) / 32768.0 - fraction / 32768.0 * vec2(band.drift)
+    vec2 rest = (vec2(cell & (int(1u << uint(up)) - 1)) + local) / spacing - vec2(drifted & 32767) / 32768.0 - fraction / 32768.0 * vec2(band.drift)
               + vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0;
     vec2 first = floor(rest), offset = clamp(rest - first, 0.0, 1.0);
     ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + ivec2(first);

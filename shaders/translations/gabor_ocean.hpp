@@ -147,8 +147,8 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
         // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
         gabor_vec3 early = gabor_vec3(0.0f), late = gabor_vec3(0.0f), ahead = gabor_vec3(0.0621f, 0.2483f, 0.4965f);
-        for (int j = 0; j < 16; ++j) {
-            float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(j) + 0.5f) * width), peak, scale, sharp).x;
+        for (int n = 0; n < 16; ++n) {
+            float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(n) + 0.5f) * width), peak, scale, sharp).x;
             early += 26.5f * gabor_cpp_clamp(ahead / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
             late += 26.5f * gabor_cpp_clamp((ahead + gabor_vec3(0.6827f, 0.6827f, 0.5035f)) / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
             ahead -= part;
@@ -197,7 +197,7 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     gabor_ivec2 drifted = (second & 0xffff) * band.drift;
     int up = gabor_cpp_max(band.exponent, 0), down = gabor_cpp_max(-band.exponent, 0);
     float spacing = gabor_cpp_exp2(float(band.exponent));
-    gabor_vec2 rest = (gabor_vec2(cell & ((1 << up) - 1)) + local) / spacing - gabor_vec2(drifted & 32767) / 32768.0f - fraction / 32768.0f * gabor_vec2(band.drift)
+    gabor_vec2 rest = (gabor_vec2(cell & (int(1u << std::uint32_t(up)) - 1)) + local) / spacing - gabor_vec2(drifted & 32767) / 32768.0f - fraction / 32768.0f * gabor_vec2(band.drift)
               + gabor_vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0f;
     gabor_vec2 first = gabor_cpp_floor(rest), offset = gabor_cpp_clamp(rest - first, 0.0f, 1.0f);
     gabor_ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + gabor_ivec2(first);

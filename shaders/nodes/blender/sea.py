@@ -75,7 +75,7 @@ def float_box(scene, _=None):
 
 
 bpy.app.handlers.frame_change_pre.append(float_box)
-scene.frame_set(60)
+scene.frame_set(144)
 
 scene.world = bpy.data.worlds.new("sky")
 scene.world.use_nodes = True

@@ -1,4 +1,4 @@
-// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 20 kB of
+// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 16 kB of
 // WebAssembly, gives the shader its parameters and the box its heights. Drag to turn.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -55,7 +55,7 @@ const water = new THREE.ShaderMaterial({
             float mirrored = 0.02 + 0.98 * pow(1.0 - facing, 5.0) / (1.0 + 22.0 * rough);
             vec2 tilt = h.xz / h.y + slope; // of the facets that mirror the sun, from the mean slope
             float glitter = exp(-dot(tilt, tilt) / rough) / (rough * max(facing, 0.1));
-            vec3 light = vec3(0.01, 0.06, 0.07) * (0.6 + 0.4 * dot(normal, sun)) * (1.0 + 0.5 * w.height);
+            vec3 light = vec3(0.01, 0.06, 0.07) * (0.6 + 0.4 * dot(normal, sun)) * exp(0.4 * w.height);
             light = mix(light, sky(reflect(-ray, normal)), mirrored) + 0.02 * glitter * vec3(1.0, 0.85, 0.6);
             light = mix(light, vec3(0.8), 0.7 * smoothstep(0.75, 0.6, w.fold)); // foam
             float t = length(eye);
