@@ -192,15 +192,17 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     ivec2 drifted = (second & 0xffff) * band.drift;
     int up = max(band.exponent, 0), down = max(-band.exponent, 0);
     float spacing = exp2(float(band.exponent));
-    vec2 rest = (vec2(cell & (int(1u << uint(up)) - 1)) + local) / spacing - vec2(drifted & 32767) / 32768.0 - fraction / 32768.0 * vec2(band.drift)
-              + vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0;
+    vec2 rest = (vec2(cell & (int(1u << uint(up)) - 1)) + local) / spacing - vec2(drifted & 32767) / 32768.0
+              - fraction / 32768.0 * vec2(band.drift) + vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0;
     vec2 first = floor(rest), offset = clamp(rest - first, 0.0, 1.0);
     ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     vec2 middle = 2.0 * offset - 1.0, fourth = middle * middle * middle * middle, turns = 0.125 + middle * (0.15625 - 0.03125 * fourth);
-    vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y), slope = 1.9634954 / spacing * (1.0 - fourth);
+    vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
+    vec2 slope = 1.9634954 / spacing * (1.0 - fourth);
     vec4 along_x = vec4(turn_x, turn_x), along_y = vec4(turn_y.xx, turn_y.yy), window = along_x * along_y;
-    vec4 window_x = slope.x * vec4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y, window_y = slope.y * vec4(-turn_y.yy, turn_y.xx) * along_x;
+    vec4 window_x = slope.x * vec4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y;
+    vec4 window_y = slope.y * vec4(-turn_y.yy, turn_y.xx) * along_x;
     vec4 from_x = spacing * (offset.x - vec4(0.0, 1.0, 0.0, 1.0)), from_y = spacing * (offset.y - vec4(0.0, 0.0, 1.0, 1.0));
     uint west = gabor_impl_line_word(node.x, salt), east = gabor_impl_line_word(node.x + 1, salt);
     uint south = gabor_impl_line_word(node.y, salt ^ GABOR_IMPL_ROWS), north = gabor_impl_line_word(node.y + 1, salt ^ GABOR_IMPL_ROWS);
@@ -209,8 +211,9 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     // `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d. `turning` is
     // F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
     vec4 share = vec4(bits >> 22u), u = vec4(ivec4(bits << 10u) >> 21), w = vec4(ivec4(bits << 21u) >> 21); // 10, 11 and 11 bits
-    vec4 rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, 0.0) + band.early.z * max(share - 256.0, 0.0)
-                    + band.late.x * max(share - 512.0, 0.0) + band.late.y * max(share - 768.0, 0.0) + band.late.z * max(share - 960.0, 0.0));
+    vec4 rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, 0.0)
+                    + band.early.z * max(share - 256.0, 0.0) + band.late.x * max(share - 512.0, 0.0)
+                    + band.late.y * max(share - 768.0, 0.0) + band.late.z * max(share - 960.0, 0.0));
     vec4 bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u));
     vec4 angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
     vec4 part = trunc(1.220703125e-4 * angle), lag = trunc(4.8828125e-4 * part * part);
@@ -226,6 +229,7 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     vec2 a = gabor_impl_wave(phase.x), b = gabor_impl_wave(phase.y), c = gabor_impl_wave(phase.z), d = gabor_impl_wave(phase.w);
     vec4 square = 1.52587890625e-5 * vec4(word & 0xffffu), steps_x = k * (x * dx.x + y * dx.y), steps_y = k * (x * dy.x + y * dy.y);
     vec4 kept = exp(-0.125 * (steps_x * steps_x + steps_y * steps_y)), amplitude = kept * sqrt(square);
+    // The square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
     amplitude *= normal ? 1.3034767 + 0.3870924 * square + 0.0960481 / (1.0580433 - square) : vec4(2.0);
     vec4 height = amplitude * vec4(a.y, b.y, c.y, d.y), along = window * amplitude * vec4(a.x, b.x, c.x, d.x);
     sum.slope += vec2(dot(height, window_x), dot(height, window_y));

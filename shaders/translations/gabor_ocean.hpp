@@ -197,15 +197,17 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     gabor_ivec2 drifted = (second & 0xffff) * band.drift;
     int up = gabor_cpp_max(band.exponent, 0), down = gabor_cpp_max(-band.exponent, 0);
     float spacing = gabor_cpp_exp2(float(band.exponent));
-    gabor_vec2 rest = (gabor_vec2(cell & (int(1u << std::uint32_t(up)) - 1)) + local) / spacing - gabor_vec2(drifted & 32767) / 32768.0f - fraction / 32768.0f * gabor_vec2(band.drift)
-              + gabor_vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0f;
+    gabor_vec2 rest = (gabor_vec2(cell & (int(1u << std::uint32_t(up)) - 1)) + local) / spacing - gabor_vec2(drifted & 32767) / 32768.0f
+              - fraction / 32768.0f * gabor_vec2(band.drift) + gabor_vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0f;
     gabor_vec2 first = gabor_cpp_floor(rest), offset = gabor_cpp_clamp(rest - first, 0.0f, 1.0f);
     gabor_ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + gabor_ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     gabor_vec2 middle = 2.0f * offset - 1.0f, fourth = middle * middle * middle * middle, turns = 0.125f + middle * (0.15625f - 0.03125f * fourth);
-    gabor_vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y), slope = 1.9634954f / spacing * (1.0f - fourth);
+    gabor_vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
+    gabor_vec2 slope = 1.9634954f / spacing * (1.0f - fourth);
     gabor_vec4 along_x = gabor_vec4(turn_x, turn_x), along_y = gabor_vec4(turn_y.xx(), turn_y.yy()), window = along_x * along_y;
-    gabor_vec4 window_x = slope.x * gabor_vec4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y, window_y = slope.y * gabor_vec4(-turn_y.yy(), turn_y.xx()) * along_x;
+    gabor_vec4 window_x = slope.x * gabor_vec4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y;
+    gabor_vec4 window_y = slope.y * gabor_vec4(-turn_y.yy(), turn_y.xx()) * along_x;
     gabor_vec4 from_x = spacing * (offset.x - gabor_vec4(0.0f, 1.0f, 0.0f, 1.0f)), from_y = spacing * (offset.y - gabor_vec4(0.0f, 0.0f, 1.0f, 1.0f));
     std::uint32_t west = gabor_impl_line_word(node.x, salt), east = gabor_impl_line_word(node.x + 1, salt);
     std::uint32_t south = gabor_impl_line_word(node.y, salt ^ GABOR_IMPL_ROWS), north = gabor_impl_line_word(node.y + 1, salt ^ GABOR_IMPL_ROWS);
@@ -214,8 +216,9 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     // `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d. `turning` is
     // F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
     gabor_vec4 share = gabor_vec4(bits >> 22u), u = gabor_vec4(gabor_ivec4(bits << 10u) >> 21), w = gabor_vec4(gabor_ivec4(bits << 21u) >> 21); // 10, 11 and 11 bits
-    gabor_vec4 rise = gabor_cpp_trunc(1024.0f + band.early.x * share + band.early.y * gabor_cpp_max(share - 64.0f, 0.0f) + band.early.z * gabor_cpp_max(share - 256.0f, 0.0f)
-                    + band.late.x * gabor_cpp_max(share - 512.0f, 0.0f) + band.late.y * gabor_cpp_max(share - 768.0f, 0.0f) + band.late.z * gabor_cpp_max(share - 960.0f, 0.0f));
+    gabor_vec4 rise = gabor_cpp_trunc(1024.0f + band.early.x * share + band.early.y * gabor_cpp_max(share - 64.0f, 0.0f)
+                    + band.early.z * gabor_cpp_max(share - 256.0f, 0.0f) + band.late.x * gabor_cpp_max(share - 512.0f, 0.0f)
+                    + band.late.y * gabor_cpp_max(share - 768.0f, 0.0f) + band.late.z * gabor_cpp_max(share - 960.0f, 0.0f));
     gabor_vec4 bent = gabor_cpp_trunc(band.spread.x + band.spread.y * gabor_cpp_trunc(0.001953125f * u * u));
     gabor_vec4 angle = gabor_cpp_trunc(2.44140625e-4f * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
     gabor_vec4 part = gabor_cpp_trunc(1.220703125e-4f * angle), lag = gabor_cpp_trunc(4.8828125e-4f * part * part);
@@ -231,6 +234,7 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     gabor_vec2 a = gabor_impl_wave(phase.x), b = gabor_impl_wave(phase.y), c = gabor_impl_wave(phase.z), d = gabor_impl_wave(phase.w);
     gabor_vec4 square = 1.52587890625e-5f * gabor_vec4(word & 0xffffu), steps_x = k * (x * dx.x + y * dx.y), steps_y = k * (x * dy.x + y * dy.y);
     gabor_vec4 kept = gabor_cpp_exp(-0.125f * (steps_x * steps_x + steps_y * steps_y)), amplitude = kept * gabor_cpp_sqrt(square);
+    // The square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
     amplitude *= normal ? 1.3034767f + 0.3870924f * square + 0.0960481f / (1.0580433f - square) : gabor_vec4(2.0f);
     gabor_vec4 height = amplitude * gabor_vec4(a.y, b.y, c.y, d.y), along = window * amplitude * gabor_vec4(a.x, b.x, c.x, d.x);
     sum.slope += gabor_vec2(gabor_cpp_dot(height, window_x), gabor_cpp_dot(height, window_y));
