@@ -170,7 +170,7 @@ GABOR_INLINE float gabor_cpp_floor(float x) {
     return gabor_cpp_choose(bounded == x, whole - gabor_cpp_choose(whole > bounded, 1.0f, 0.0f), x);
 }
 GABOR_INLINE float gabor_cpp_trunc(float x) {
-#if defined __SSE4_1__ || defined __aarch64__
+#if defined __SSE4_1__ || defined __aarch64__ || defined __wasm__
     return std::trunc(x);
 #else
     const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);

@@ -1,4 +1,4 @@
-// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 16 kB of
+// A sea whose vertices gabor_water moves, and a box that floats at the height that the CPU computes: sea.cpp, 14 kB of
 // WebAssembly, gives the shader its parameters and the box its heights. Drag to turn.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
