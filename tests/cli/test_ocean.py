@@ -71,12 +71,12 @@ class Ocean(ProgramTest):
 
     def test_a_swell_adds_its_height_and_a_loop_repeats(self):
         above = "--altitude=500", "--pitch=90", "--zoom=0.5", "--wind=4"
-        seas = np.array([[self.drawn(*above, f"--seed={seed}", *more, size="64x64")["height"] for seed in range(8)]
-                         for more in ((), ("--swell=4",), ("--swell=4", "--swell-direction=150"), ("--swell=4", "--swell-period=20"))])
-        plain, swell, across, longer = seas
+        def seas(seeds, *more):
+            return np.array([self.drawn(*above, f"--seed={seed}", *more, size="64x64")["height"] for seed in range(seeds)])
+        plain, swell = seas(8), seas(8, "--swell=4")
         self.assertAlmostEqual((swell - plain).std(), 1, delta=0.25)
-        self.assertGreater((swell - across).std(), 1)
-        longer = longer - plain
+        self.assertGreater((swell[:2] - seas(2, "--swell=4", "--swell-direction=150")).std(), 1)
+        longer = seas(8, "--swell=4", "--swell-period=20") - plain
         self.assertLess(np.abs(np.diff(longer)).mean(), 0.6 * np.abs(np.diff(swell - plain)).mean())
         first, later, between = (self.drawn("--loop=16", "--swell=2", f"--time={time}")["height"] for time in (3.25, 19.25, 11.25))
         np.testing.assert_array_equal(first, later)

@@ -195,7 +195,7 @@ TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavel
                 };
                 const GaborWater now = node(0);
                 // The real part is positive if the height, an imaginary part, falls.
-                const float soon = 0.02f * 65536 / band.low, fall = node(-soon).height - node(soon).height;
+                const float soon = 0.002f * 65536 / band.low, fall = now.height - node(soon).height;
                 const float length = std::hypot(now.shift.x, now.shift.y);
                 if (length == 0)
                     continue;
