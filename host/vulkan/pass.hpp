@@ -23,9 +23,9 @@ class Pass {
     struct Interface {
         std::uint32_t buffers = 1;
         std::uint32_t push_bytes = 0;
+        bool statistics = false; ///< whether to allow calls to `statistics`
         bool uniform = false;    ///< whether the last buffer is a uniform buffer instead
         bool optimized = false;  ///< whether to optimize the SPIR-V as spirv-opt -O does
-        bool statistics = false; ///< whether to allow calls to `statistics`
     };
 
     /// `constants` are the specialization constants with ids 0, 1, 2, ...

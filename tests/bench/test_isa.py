@@ -28,7 +28,7 @@ for name, *before in recorded:
         continue
     # The file is rounded, and registers are allocated in steps of eight.
     for figure, was, slack in zip(("instructions", "inverse_throughput", "registers"), before, (0.5, 0.5, 8)):
-        if now[name][figure] > slack + (was if figure == "registers" else 1.05 * was):
+        if not 0 < now[name][figure] <= slack + (was if figure == "registers" else 1.05 * was):
             worse.append(f"{name}: {figure} {now[name][figure]:.1f}, recorded {was}")
 print("\n".join(worse) or "no cost has risen")
 sys.exit(bool(worse))

@@ -115,7 +115,7 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     const std::uint32_t buffers = subject.table.empty() ? 1 : 2;
     return {device,
             subject.spirv,
-            {buffers, sizeof(passes::BenchPush), buffers == 2, use == Use::timing, use == Use::statistics},
+            {buffers, sizeof(passes::BenchPush), use == Use::statistics, buffers == 2, use == Use::timing},
             constants};
 }
 
