@@ -189,13 +189,13 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     }
     // The place on the lattice is 2^-exponent (cell + local) - drift (second + fraction), as a whole number and a rest, exactly.
     uint salt = gabor_impl_salt(seed);
-    ivec2 drifted = (second & 0xffff) * band.drift;
+    ivec2 drifted = (second & 32767) * band.drift; // below 2^31, as drifts are below 65536
     int up = max(band.exponent, 0), down = max(-band.exponent, 0);
     float spacing = exp2(float(band.exponent));
     vec2 rest = (vec2(cell & (int(1u << uint(up)) - 1)) + local) / spacing - vec2(drifted & 32767) / 32768.0
               - fraction / 32768.0 * vec2(band.drift) + vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0;
     vec2 first = floor(rest), offset = clamp(rest - first, 0.0, 1.0);
-    ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + ivec2(first);
+    ivec2 node = ((cell >> up) << down) - (second >> 15) * band.drift - (drifted >> 15) + ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     vec2 middle = 2.0 * offset - 1.0, fourth = middle * middle * middle * middle, turns = 0.125 + middle * (0.15625 - 0.03125 * fourth);
     vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);

@@ -194,13 +194,13 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     }
     // The place on the lattice is 2^-exponent (cell + local) - drift (second + fraction), as a whole number and a rest, exactly.
     std::uint32_t salt = gabor_impl_salt(seed);
-    gabor_ivec2 drifted = (second & 0xffff) * band.drift;
+    gabor_ivec2 drifted = (second & 32767) * band.drift; // below 2^31, as drifts are below 65536
     int up = gabor_cpp_max(band.exponent, 0), down = gabor_cpp_max(-band.exponent, 0);
     float spacing = gabor_cpp_exp2(float(band.exponent));
     gabor_vec2 rest = (gabor_vec2(cell & (int(1u << std::uint32_t(up)) - 1)) + local) / spacing - gabor_vec2(drifted & 32767) / 32768.0f
               - fraction / 32768.0f * gabor_vec2(band.drift) + gabor_vec2(float(salt & 0xffffu), float(salt >> 16u)) / 65536.0f;
     gabor_vec2 first = gabor_cpp_floor(rest), offset = gabor_cpp_clamp(rest - first, 0.0f, 1.0f);
-    gabor_ivec2 node = ((cell >> up) << down) - 2 * (second >> 16) * band.drift - (drifted >> 15) + gabor_ivec2(first);
+    gabor_ivec2 node = ((cell >> up) << down) - (second >> 15) * band.drift - (drifted >> 15) + gabor_ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     gabor_vec2 middle = 2.0f * offset - 1.0f, fourth = middle * middle * middle * middle, turns = 0.125f + middle * (0.15625f - 0.03125f * fourth);
     gabor_vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
