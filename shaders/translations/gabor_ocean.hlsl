@@ -168,7 +168,8 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell
         float fourth = a * a * a * (0.2 * a + 0.57142857 * b) + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b)
                      + c * c * (2.0 * rest + 0.2 * c * c); // the mean of sin(d / 2)^4
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
-        // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
+        // The knots have 0.0621, 0.2483, 0.4965, 0.7448, 0.931 and all of the power below them, instead of 1/16, 4/16, 8/16 and so
+        // on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
         float3 early = (float3)(0.0), late = (float3)(0.0), ahead = float3(0.0621, 0.2483, 0.4965);
         for (int n = 0; n < 16; ++n) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(n) + 0.5) * width), peak, scale, sharp).x;

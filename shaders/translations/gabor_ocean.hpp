@@ -145,7 +145,8 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         float fourth = a * a * a * (0.2f * a + 0.57142857f * b) + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b)
                      + c * c * (2.0f * rest + 0.2f * c * c); // the mean of sin(d / 2)^4
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
-        // Between the knots, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
+        // The knots have 0.0621, 0.2483, 0.4965, 0.7448, 0.931 and all of the power below them, instead of 1/16, 4/16, 8/16 and so
+        // on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
         gabor_vec3 early = gabor_vec3(0.0f), late = gabor_vec3(0.0f), ahead = gabor_vec3(0.0621f, 0.2483f, 0.4965f);
         for (int n = 0; n < 16; ++n) {
             float part = tick * width / sum.x * gabor_impl_spectrum(tick * (low + (float(n) + 0.5f) * width), peak, scale, sharp).x;
