@@ -65,7 +65,8 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * spread)) / (1.0 + 22.7 * pow(spread, 1.5));
     vec3 mirror = ray - 2.0 * dot(normal, ray) * normal;
     mirror.y = abs(mirror.y) + spread; // rough water reflects higher parts of the sky
-    vec3 sky = sky_of(vec3(sea.sun.x, sea.sun.y + 0.2, sea.sun.z) * 0.9, normalize(mirror));
+    vec3 raised = sea.sun + vec3(0.0, 0.2, 0.0); // made shorter than 1, because the sun itself is in `glitter`
+    vec3 sky = sky_of(raised * min(0.9, 0.99 * inversesqrt(dot(raised, raised))), normalize(mirror));
     vec3 middle = normalize(sea.sun - ray); // facets with this normal reflect the sun
     vec2 apart = -middle.xz / max(middle.y, 0.01) - slope, c = w.lost.xy + 2.0e-5;
     float determinant = max(c.x * c.y - w.lost.z * w.lost.z, 1.0e-12);
@@ -126,7 +127,7 @@ SeaHit seen_at_sea(Sea sea, vec3 eye, vec3 ray, float wide) {
     hit.water = water_near(sea, x, shift, across, along);
     hit.foam = foam_on(sea, hit.water, x - hit.water.shift, wide * t);
     hit.colour = mix(vec3(0.003, 0.022, 0.049), vec3(0.7), hit.foam);
-    vec3 air = sky_of(sea.sun, normalize(vec3(ray.x, 0.01, ray.z)));
+    vec3 air = sky_of(sea.sun, vec3(ray.x, 0.01, ray.z)); // at the horizon; straight down, from no side
     hit.light = mix(air, light_of_water(sea, hit.water, hit.water.slope / clamp(hit.water.fold, 0.4, 2.0), ray, hit.foam), exp(-1.2e-4 * t));
     return hit;
 }

@@ -55,7 +55,7 @@ GaborOceanBand GaborOceanBand_of(float amplitude, float2 slopes, int exponent, f
 struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
-    float fetch;     // metres of open water upwind
+    float fetch;     // metres of open water upwind, 10^3 to 10^6
     float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
     int loop;        // the seconds after which all repeats, or 0 for never
     float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
@@ -75,7 +75,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.7
+    float fold;    // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
@@ -94,7 +94,8 @@ GaborWater GaborWater_of(float height, float2 slope, float2 shift, float fold, f
 // GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
 //     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
-//     nor a loop. dx and dy are ddx(p), ddy(p).
+//     nor a loop. For a fetch below 20 km in a light wind, JONSWAP's waves alone are steeper, up to 1.8 times. dx and dy are
+//     ddx(p), ddy(p).
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
@@ -130,7 +131,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = float3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.01)) : 0;
+    ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.0002)) : 0;
     float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
     float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455, sharp = 1.1939225; // (2 pi)^4, ln 3.3
     int power = int(floor(log2(0.62 * peak / tick)));

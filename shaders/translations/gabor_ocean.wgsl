@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 56a0ede4e843a14a.
+// naga 30.0.1 made it from GLSL with the digest d907a910807740a0.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -31,7 +31,7 @@ struct GaborOceanBand {
 struct GaborOcean {
     wind: f32, // speed in metres per second, 10 m up
     direction: f32, // where the waves go: radians from +x towards +y
-    fetch: f32, // metres of open water upwind
+    fetch: f32, // metres of open water upwind, 10^3 to 10^6
     swell: vec3<f32>, // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
     loop_: i32, // the seconds after which all repeats, or 0 for never
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
@@ -51,7 +51,7 @@ struct GaborWater {
     height: f32, // metres, of mean 0 and normally distributed
     slope: vec2<f32>, // derivatives of the height by p
     shift: vec2<f32>, // horizontal displacement in metres, towards crests, which it sharpens
-    fold: f32, // determinant of the derivative of p + shift, within 0.1: foam where it falls below 0.7
+    fold: f32, // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
     lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
@@ -59,7 +59,8 @@ struct GaborWater {
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
 //     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
 //     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
-//     nor a loop. dx and dy are dpdx(p), dpdy(p).
+//     nor a loop. For a fetch below 20 km in a light wind, JONSWAP's waves alone are steeper, up to 1.8 times. dx and dy are
+//     dpdx(p), dpdy(p).
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
@@ -161,7 +162,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
     ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
     if (loop_ > 0i) {
-        local_12 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.01f))));
+        local_12 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.0002f))));
     } else {
         local_12 = 0i;
     }

@@ -333,6 +333,7 @@ TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the sa
     for (const int loop : {8, 64, 4096}) {
         const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop),
                          endless = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, 0);
+        CHECK(gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop - 1).loop == std::max(loop / 2, 8));
         Random random(9);
         Moments heights, slopes, heights_endless, slopes_endless;
         double half = 0;
