@@ -43,7 +43,7 @@ struct GaborOceanBand {
 struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
-    float fetch;     // metres of open water upwind, 10^3 to 10^6
+    float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     gabor_vec3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
     int loop;        // the seconds after which all repeats, or 0 for never
     gabor_vec2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
@@ -52,11 +52,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(float wind)
 // GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions and a sharp
-//     peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other values are
-//     rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer fraction of it, so a loop
-//     should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers
-//     may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
+//     narrow spread of directions and a sharp peak [G10]; vec3(0.0) is none. For films, all repeats after a loop of 8, 16, 32
+//     ... 4096 seconds, to which other values are rounded down. Its price: groups of waves stand still, and each wave's period
+//     becomes an integer fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if
+//     the CPU also asks for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -69,10 +69,9 @@ struct GaborWater {
 // GaborWater gabor_water(vec2 p, float seconds, GaborOcean ocean, uint seed)
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
 // GaborWater gabor_water_filtered(vec2 p, vec2 dx, vec2 dy, float seconds, GaborOcean ocean, uint seed)
-//     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
-//     nor a loop. For a fetch below 20 km in a light wind, JONSWAP's waves alone are steeper, up to 1.8 times. dx and dy are
-//     dFdx(p), dFdy(p).
+//     The same without waves that are too fine for a pixel (dx and dy are dFdx(p), dFdy(p)), whose slopes are in `lost`, as are
+//     those of waves shorter than all bands: with them, slopes have the variance that Cox and Munk measured [CM54], if the sea has
+//     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // float gabor_water_height(vec2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean, uint seed)
@@ -82,6 +81,7 @@ struct GaborWater {
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
 // 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda, "Random
 // seas", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+// [PM64] Pierson, Moskowitz, "A proposed spectral form for fully developed wind seas", 1964.
 
 // ====================================================================================================================
 // Private implementation
@@ -109,7 +109,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
     ocean.fetch = gabor_cpp_clamp(fetch, 1.0e3f, 1.0e6f);
     ocean.swell = gabor_vec3(gabor_cpp_clamp(swell.x, 0.0f, 30.0f), gabor_cpp_clamp(swell.y, 5.0f, 25.0f), swell.z);
     ocean.loop = loop > 0 ? int(1u << std::uint32_t(gabor_cpp_log2(float(gabor_cpp_clamp(loop, 8, 4096))) + 0.0002f)) : 0;
-    float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5f * gravity / ocean.wind * gabor_cpp_pow(reach, -0.33f);
+    float reach = gabor_cpp_min(gravity * ocean.fetch / (ocean.wind * ocean.wind), 2.15e4f), peak = 3.5f * gravity / ocean.wind * gabor_cpp_pow(reach, -0.33f);
     float scale = 0.076f * gabor_cpp_pow(reach, -0.22f) * gravity * gravity / 1558.5455f, sharp = 1.1939225f; // (2 pi)^4, ln 3.3
     int power = int(gabor_cpp_floor(gabor_cpp_log2(0.62f * peak / tick)));
     ocean.tail = gabor_vec2(0.00316f, 0.00192f) * ocean.wind + gabor_vec2(0.0f, 0.003f); // [CM54]

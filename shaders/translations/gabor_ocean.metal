@@ -44,7 +44,7 @@ struct GaborOceanBand {
 struct GaborOcean {
     float wind;      // speed in metres per second, 10 m up
     float direction; // where the waves go: radians from +x towards +y
-    float fetch;     // metres of open water upwind, 10^3 to 10^6
+    float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
     int loop;        // the seconds after which all repeats, or 0 for never
     float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
@@ -53,11 +53,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(float wind)
 // GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions and a sharp
-//     peak [G10]; float3(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other values are
-//     rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer fraction of it, so a loop
-//     should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers
-//     may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
+//     narrow spread of directions and a sharp peak [G10]; float3(0.0) is none. For films, all repeats after a loop of 8, 16, 32
+//     ... 4096 seconds, to which other values are rounded down. Its price: groups of waves stand still, and each wave's period
+//     becomes an integer fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if
+//     the CPU also asks for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -70,10 +70,9 @@ struct GaborWater {
 // GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
 // GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed)
-//     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
-//     nor a loop. For a fetch below 20 km in a light wind, JONSWAP's waves alone are steeper, up to 1.8 times. dx and dy are
-//     dfdx(p), dfdy(p).
+//     The same without waves that are too fine for a pixel (dx and dy are dfdx(p), dfdy(p)), whose slopes are in `lost`, as are
+//     those of waves shorter than all bands: with them, slopes have the variance that Cox and Munk measured [CM54], if the sea has
+//     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
@@ -83,6 +82,7 @@ struct GaborWater {
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
 // 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda, "Random
 // seas", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+// [PM64] Pierson, Moskowitz, "A proposed spectral form for fully developed wind seas", 1964.
 
 // ====================================================================================================================
 // Private implementation
@@ -110,7 +110,7 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = float3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
     ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.0002)) : 0;
-    float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
+    float reach = min(gravity * ocean.fetch / (ocean.wind * ocean.wind), 2.15e4), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
     float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455, sharp = 1.1939225; // (2 pi)^4, ln 3.3
     int power = int(floor(log2(0.62 * peak / tick)));
     ocean.tail = float2(0.00316, 0.00192) * ocean.wind + float2(0.0, 0.003); // [CM54]

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d907a910807740a0.
+// naga 30.0.1 made it from GLSL with the digest c3a90d2535390bf8.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -31,7 +31,7 @@ struct GaborOceanBand {
 struct GaborOcean {
     wind: f32, // speed in metres per second, 10 m up
     direction: f32, // where the waves go: radians from +x towards +y
-    fetch: f32, // metres of open water upwind, 10^3 to 10^6
+    fetch: f32, // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     swell: vec3<f32>, // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
     loop_: i32, // the seconds after which all repeats, or 0 for never
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
@@ -40,11 +40,11 @@ struct GaborOcean {
 // GaborOcean gabor_ocean(f32 wind)
 // GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] and the directions of [HDE80]. A swell, from a remote storm, has a narrow spread of directions and a sharp
-//     peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32 ... 4096 seconds, to which other values are
-//     rounded down. Its price: groups of waves stand still, and each wave's period becomes an integer fraction of it, so a loop
-//     should last several periods of the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers
-//     may round differently on another device. To change a member, call this again.
+//     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
+//     narrow spread of directions and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32
+//     ... 4096 seconds, to which other values are rounded down. Its price: groups of waves stand still, and each wave's period
+//     becomes an integer fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if
+//     the CPU also asks for heights: the integers may round differently on another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -57,10 +57,9 @@ struct GaborWater {
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
-//     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
-//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54], if the sea has neither a swell
-//     nor a loop. For a fetch below 20 km in a light wind, JONSWAP's waves alone are steeper, up to 1.8 times. dx and dy are
-//     dpdx(p), dpdy(p).
+//     The same without waves that are too fine for a pixel (dx and dy are dpdx(p), dpdy(p)), whose slopes are in `lost`, as are
+//     those of waves shorter than all bands: with them, slopes have the variance that Cox and Munk measured [CM54], if the sea has
+//     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
@@ -70,6 +69,7 @@ struct GaborWater {
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
 // 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda, "Random
 // seas", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+// [PM64] Pierson, Moskowitz, "A proposed spectral form for fully developed wind seas", 1964.
 
 // ====================================================================================================================
 // Private implementation
@@ -172,335 +172,335 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     let _e50 = ocean;
     let _e53 = ocean;
     let _e55 = ocean;
-    reach_1 = ((_e49 * _e50.fetch) / (_e53.wind * _e55.wind));
-    let _e61 = gravity;
-    let _e63 = ocean;
-    let _e66 = reach_1;
-    peak_1 = (((3.5f * _e61) / _e63.wind) * pow(_e66, -0.33f));
-    let _e73 = reach_1;
-    let _e78 = gravity;
+    reach_1 = min(((_e49 * _e50.fetch) / (_e53.wind * _e55.wind)), 21500f);
+    let _e63 = gravity;
+    let _e65 = ocean;
+    let _e68 = reach_1;
+    peak_1 = (((3.5f * _e63) / _e65.wind) * pow(_e68, -0.33f));
+    let _e75 = reach_1;
     let _e80 = gravity;
-    scale_1 = ((((0.076f * pow(_e73, -0.22f)) * _e78) * _e80) / 1558.5455f);
-    let _e88 = peak_1;
-    let _e90 = tick;
-    power_1 = i32(floor(log2(((0.62f * _e88) / _e90))));
-    let _e100 = ocean;
-    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e100.wind) + vec2<f32>(0f, 0.003f));
+    let _e82 = gravity;
+    scale_1 = ((((0.076f * pow(_e75, -0.22f)) * _e80) * _e82) / 1558.5455f);
+    let _e90 = peak_1;
+    let _e92 = tick;
+    power_1 = i32(floor(log2(((0.62f * _e90) / _e92))));
+    let _e102 = ocean;
+    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e102.wind) + vec2<f32>(0f, 0.003f));
     loop {
-        let _e109 = i;
-        if !((_e109 <= 9i)) {
+        let _e111 = i;
+        if !((_e111 <= 9i)) {
             break;
         }
         {
-            let _e116 = i;
-            if ((_e116 & 1i) == 0i) {
+            let _e118 = i;
+            if ((_e118 & 1i) == 0i) {
                 local_13 = 128u;
             } else {
                 local_13 = 181u;
             }
-            let _e124 = local_13;
-            let _e125 = power_1;
-            let _e126 = i;
-            low = (f32((_e124 << u32((_e125 + (_e126 / 2i))))) / 128f);
-            let _e136 = i;
-            remote = (_e136 == 9i);
-            let _e140 = remote;
-            if _e140 {
+            let _e126 = local_13;
+            let _e127 = power_1;
+            let _e128 = i;
+            low = (f32((_e126 << u32((_e127 + (_e128 / 2i))))) / 128f);
+            let _e138 = i;
+            remote = (_e138 == 9i);
+            let _e142 = remote;
+            if _e142 {
                 {
-                    let _e142 = ocean;
-                    peak_1 = (1f / _e142.swell.y);
-                    let _e148 = peak_1;
-                    let _e150 = tick;
-                    low = (64f * floor((((0.0132813f * _e148) / _e150) + 0.5f)));
+                    let _e144 = ocean;
+                    peak_1 = (1f / _e144.swell.y);
+                    let _e150 = peak_1;
+                    let _e152 = tick;
+                    low = (64f * floor((((0.0132813f * _e150) / _e152) + 0.5f)));
                     sharp_1 = 2.0794415f;
-                    let _e157 = ocean;
-                    direction_1 = _e157.swell.z;
+                    let _e159 = ocean;
+                    direction_1 = _e159.swell.z;
                 }
             }
-            let _e161 = low;
-            width = (0.025878906f * _e161);
+            let _e163 = low;
+            width = (0.025878906f * _e163);
             variance = 0f;
             sum_5 = vec2(0f);
             fit = vec4(0f);
             j_1 = 0i;
             loop {
-                let _e174 = j_1;
-                if !((_e174 < 16i)) {
+                let _e176 = j_1;
+                if !((_e176 < 16i)) {
                     break;
                 }
                 {
-                    let _e181 = tick;
-                    let _e182 = low;
-                    let _e183 = j_1;
-                    let _e187 = width;
-                    f_1 = (_e181 * (_e182 + ((f32(_e183) + 0.5f) * _e187)));
-                    let _e193 = j_1;
-                    x_5 = ((26.5f * f32(_e193)) - 198.75f);
-                    let _e199 = f_1;
-                    let _e200 = peak_1;
-                    above = (_e199 / _e200);
-                    let _e203 = remote;
-                    if _e203 {
+                    let _e183 = tick;
+                    let _e184 = low;
+                    let _e185 = j_1;
+                    let _e189 = width;
+                    f_1 = (_e183 * (_e184 + ((f32(_e185) + 0.5f) * _e189)));
+                    let _e195 = j_1;
+                    x_5 = ((26.5f * f32(_e195)) - 198.75f);
+                    let _e201 = f_1;
+                    let _e202 = peak_1;
+                    above = (_e201 / _e202);
+                    let _e205 = remote;
+                    if _e205 {
                         local_15 = 75f;
                     } else {
-                        let _e206 = above;
-                        let _e207 = above;
-                        if (_e207 < 1f) {
+                        let _e208 = above;
+                        let _e209 = above;
+                        if (_e209 < 1f) {
                             local_14 = 4.06f;
                         } else {
                             local_14 = -2.34f;
                         }
-                        let _e214 = local_14;
-                        local_15 = (9.77f * pow(_e206, _e214));
+                        let _e216 = local_14;
+                        local_15 = (9.77f * pow(_e208, _e216));
                     }
-                    let _e218 = local_15;
-                    s_2 = _e218;
-                    let _e221 = s_2;
-                    here = (0.5f / (_e221 + 1f));
-                    let _e226 = tick;
-                    let _e227 = width;
-                    let _e229 = f_1;
-                    let _e230 = peak_1;
-                    let _e231 = scale_1;
-                    let _e232 = sharp_1;
-                    let _e233 = gabor_impl_spectrum(_e229, _e230, _e231, _e232);
-                    part = ((_e226 * _e227) * _e233);
-                    let _e236 = sum_5;
-                    let _e237 = part;
-                    sum_5 = (_e236 + _e237);
-                    let _e239 = variance;
-                    let _e240 = part;
-                    let _e242 = here;
-                    variance = (_e239 + (_e240.x * _e242));
-                    let _e245 = fit;
-                    let _e246 = part;
-                    let _e248 = x_5;
-                    let _e249 = here;
-                    let _e251 = x_5;
-                    let _e252 = x_5;
+                    let _e220 = local_15;
+                    s_2 = _e220;
+                    let _e223 = s_2;
+                    here = (0.5f / (_e223 + 1f));
+                    let _e228 = tick;
+                    let _e229 = width;
+                    let _e231 = f_1;
+                    let _e232 = peak_1;
+                    let _e233 = scale_1;
+                    let _e234 = sharp_1;
+                    let _e235 = gabor_impl_spectrum(_e231, _e232, _e233, _e234);
+                    part = ((_e228 * _e229) * _e235);
+                    let _e238 = sum_5;
+                    let _e239 = part;
+                    sum_5 = (_e238 + _e239);
+                    let _e241 = variance;
+                    let _e242 = part;
+                    let _e244 = here;
+                    variance = (_e241 + (_e242.x * _e244));
+                    let _e247 = fit;
+                    let _e248 = part;
+                    let _e250 = x_5;
+                    let _e251 = here;
+                    let _e253 = x_5;
                     let _e254 = x_5;
-                    let _e255 = here;
-                    fit = (_e245 + (_e246.x * vec4<f32>(_e248, sqrt(_e249), (_e251 * _e252), (_e254 * sqrt(_e255)))));
+                    let _e256 = x_5;
+                    let _e257 = here;
+                    fit = (_e247 + (_e248.x * vec4<f32>(_e250, sqrt(_e251), (_e253 * _e254), (_e256 * sqrt(_e257)))));
                 }
                 continuing {
-                    let _e178 = j_1;
-                    j_1 = (_e178 + 1i);
+                    let _e180 = j_1;
+                    j_1 = (_e180 + 1i);
                 }
             }
-            let _e261 = variance;
-            let _e262 = sum_5;
-            variance = (_e261 / _e262.x);
-            let _e265 = fit;
-            let _e266 = sum_5;
-            fit = (_e265 / vec4(_e266.x));
-            let _e270 = variance;
-            deviation = sqrt(_e270);
-            let _e274 = variance;
-            narrow = ((0.5f / _e274) - 1.8f);
-            let _e280 = deviation;
-            let _e282 = narrow;
-            c_1 = ((0.9f * _e280) * clamp(_e282, 0f, 1f));
-            let _e289 = narrow;
-            let _e294 = fit;
+            let _e263 = variance;
+            let _e264 = sum_5;
+            variance = (_e263 / _e264.x);
+            let _e267 = fit;
+            let _e268 = sum_5;
+            fit = (_e267 / vec4(_e268.x));
+            let _e272 = variance;
+            deviation = sqrt(_e272);
+            let _e276 = variance;
+            narrow = ((0.5f / _e276) - 1.8f);
+            let _e282 = deviation;
+            let _e284 = narrow;
+            c_1 = ((0.9f * _e282) * clamp(_e284, 0f, 1f));
+            let _e291 = narrow;
             let _e296 = fit;
             let _e298 = fit;
-            let _e303 = fit;
+            let _e300 = fit;
             let _e305 = fit;
             let _e307 = fit;
-            let _e311 = deviation;
-            widen = ((clamp((0.3f * _e289), 0f, 1f) * (_e294.w - (_e296.x * _e298.y))) / ((_e303.z - (_e305.x * _e307.x)) * _e311));
-            let _e316 = widen;
-            widen = (floor((clamp((16384f * _e316), -32f, 32f) + 0.5f)) / 16384f);
-            let _e330 = widen;
-            let _e334 = fit;
-            let _e336 = widen;
-            most = (1f / ((1f + (212f * abs(_e330))) - (_e334.x * _e336)));
-            let _e342 = deviation;
-            let _e344 = most;
-            let _e345 = c_1;
-            end = min((1.8f * _e342), (_e344 - _e345));
-            let _e349 = variance;
-            let _e350 = c_1;
-            let _e351 = c_1;
-            rest = (_e349 - ((_e350 * _e351) / 3f));
-            let _e358 = rest;
-            let _e361 = end;
+            let _e309 = fit;
+            let _e313 = deviation;
+            widen = ((clamp((0.3f * _e291), 0f, 1f) * (_e296.w - (_e298.x * _e300.y))) / ((_e305.z - (_e307.x * _e309.x)) * _e313));
+            let _e318 = widen;
+            widen = (floor((clamp((16384f * _e318), -32f, 32f) + 0.5f)) / 16384f);
+            let _e332 = widen;
+            let _e336 = fit;
+            let _e338 = widen;
+            most = (1f / ((1f + (212f * abs(_e332))) - (_e336.x * _e338)));
+            let _e344 = deviation;
+            let _e346 = most;
+            let _e347 = c_1;
+            end = min((1.8f * _e344), (_e346 - _e347));
+            let _e351 = variance;
+            let _e352 = c_1;
+            let _e353 = c_1;
+            rest = (_e351 - ((_e352 * _e353) / 3f));
+            let _e360 = rest;
             let _e363 = end;
-            let _e370 = end;
-            a_2 = ((sqrt(max(((0.3047619f * _e358) - ((0.0304762f * _e361) * _e363)), 0f)) - (0.1142857f * _e370)) / 0.152381f);
-            let _e376 = end;
-            let _e377 = a_2;
-            b_2 = (_e376 - _e377);
-            let _e380 = a_2;
-            let _e381 = a_2;
+            let _e365 = end;
+            let _e372 = end;
+            a_2 = ((sqrt(max(((0.3047619f * _e360) - ((0.0304762f * _e363) * _e365)), 0f)) - (0.1142857f * _e372)) / 0.152381f);
+            let _e378 = end;
+            let _e379 = a_2;
+            b_2 = (_e378 - _e379);
+            let _e382 = a_2;
             let _e383 = a_2;
-            let _e386 = a_2;
-            let _e389 = b_2;
-            let _e393 = b_2;
-            let _e394 = b_2;
-            let _e397 = a_2;
+            let _e385 = a_2;
+            let _e388 = a_2;
+            let _e391 = b_2;
+            let _e395 = b_2;
+            let _e396 = b_2;
             let _e399 = a_2;
-            let _e402 = a_2;
-            let _e404 = b_2;
-            let _e408 = b_2;
+            let _e401 = a_2;
+            let _e404 = a_2;
+            let _e406 = b_2;
             let _e410 = b_2;
-            let _e415 = c_1;
-            let _e416 = c_1;
-            let _e419 = rest;
-            let _e422 = c_1;
+            let _e412 = b_2;
+            let _e417 = c_1;
+            let _e418 = c_1;
+            let _e421 = rest;
             let _e424 = c_1;
-            fourth_1 = (((((_e380 * _e381) * _e383) * ((0.2f * _e386) + (0.5714286f * _e389))) + ((_e393 * _e394) * ((((0.6666667f * _e397) * _e399) + ((0.36363637f * _e402) * _e404)) + ((0.07692308f * _e408) * _e410)))) + ((_e415 * _e416) * ((2f * _e419) + ((0.2f * _e422) * _e424))));
-            let _e432 = variance;
-            let _e436 = fourth_1;
-            along = ((1f - (4f * _e432)) + (4f * _e436));
+            let _e426 = c_1;
+            fourth_1 = (((((_e382 * _e383) * _e385) * ((0.2f * _e388) + (0.5714286f * _e391))) + ((_e395 * _e396) * ((((0.6666667f * _e399) * _e401) + ((0.36363637f * _e404) * _e406)) + ((0.07692308f * _e410) * _e412)))) + ((_e417 * _e418) * ((2f * _e421) + ((0.2f * _e424) * _e426))));
+            let _e434 = variance;
+            let _e438 = fourth_1;
+            along = ((1f - (4f * _e434)) + (4f * _e438));
             early = vec3(0f);
             late = vec3(0f);
             ahead = vec3<f32>(0.0621f, 0.2483f, 0.4965f);
             n = 0i;
             loop {
-                let _e453 = n;
-                if !((_e453 < 16i)) {
+                let _e455 = n;
+                if !((_e455 < 16i)) {
                     break;
                 }
                 {
-                    let _e460 = tick;
-                    let _e461 = width;
-                    let _e463 = sum_5;
-                    let _e466 = tick;
-                    let _e467 = low;
-                    let _e468 = n;
-                    let _e472 = width;
-                    let _e476 = peak_1;
-                    let _e477 = scale_1;
-                    let _e478 = sharp_1;
-                    let _e479 = gabor_impl_spectrum((_e466 * (_e467 + ((f32(_e468) + 0.5f) * _e472))), _e476, _e477, _e478);
-                    part_1 = (((_e460 * _e461) / _e463.x) * _e479.x);
-                    let _e483 = early;
-                    let _e485 = ahead;
-                    let _e486 = part_1;
-                    early = (_e483 + (26.5f * clamp((_e485 / vec3(max(_e486, 0.000000001f))), vec3(0f), vec3(1f))));
-                    let _e498 = late;
-                    let _e500 = ahead;
-                    let _e506 = part_1;
-                    late = (_e498 + (26.5f * clamp(((_e500 + vec3<f32>(0.6827f, 0.6827f, 0.5035f)) / vec3(max(_e506, 0.000000001f))), vec3(0f), vec3(1f))));
-                    let _e518 = ahead;
-                    let _e519 = part_1;
-                    ahead = (_e518 - vec3(_e519));
+                    let _e462 = tick;
+                    let _e463 = width;
+                    let _e465 = sum_5;
+                    let _e468 = tick;
+                    let _e469 = low;
+                    let _e470 = n;
+                    let _e474 = width;
+                    let _e478 = peak_1;
+                    let _e479 = scale_1;
+                    let _e480 = sharp_1;
+                    let _e481 = gabor_impl_spectrum((_e468 * (_e469 + ((f32(_e470) + 0.5f) * _e474))), _e478, _e479, _e480);
+                    part_1 = (((_e462 * _e463) / _e465.x) * _e481.x);
+                    let _e485 = early;
+                    let _e487 = ahead;
+                    let _e488 = part_1;
+                    early = (_e485 + (26.5f * clamp((_e487 / vec3(max(_e488, 0.000000001f))), vec3(0f), vec3(1f))));
+                    let _e500 = late;
+                    let _e502 = ahead;
+                    let _e508 = part_1;
+                    late = (_e500 + (26.5f * clamp(((_e502 + vec3<f32>(0.6827f, 0.6827f, 0.5035f)) / vec3(max(_e508, 0.000000001f))), vec3(0f), vec3(1f))));
+                    let _e520 = ahead;
+                    let _e521 = part_1;
+                    ahead = (_e520 - vec3(_e521));
                 }
                 continuing {
-                    let _e457 = n;
-                    n = (_e457 + 1i);
+                    let _e459 = n;
+                    n = (_e459 + 1i);
                 }
             }
-            let _e523 = remote;
-            if _e523 {
-                let _e525 = ocean;
-                let _e529 = ocean;
-                local_17 = ((0.0625f * _e525.swell.x) * _e529.swell.x);
+            let _e525 = remote;
+            if _e525 {
+                let _e527 = ocean;
+                let _e531 = ocean;
+                local_17 = ((0.0625f * _e527.swell.x) * _e531.swell.x);
             } else {
-                let _e533 = low;
-                if (_e533 > 262144f) {
+                let _e535 = low;
+                if (_e535 > 262144f) {
                     local_16 = 0f;
                 } else {
-                    let _e537 = sum_5;
-                    local_16 = _e537.x;
+                    let _e539 = sum_5;
+                    local_16 = _e539.x;
                 }
-                let _e540 = local_16;
-                local_17 = _e540;
+                let _e542 = local_16;
+                local_17 = _e542;
             }
-            let _e542 = local_17;
-            tall = _e542;
-            let _e545 = tall;
-            band.amplitude = sqrt(_e545);
-            let _e549 = tall;
-            let _e551 = sum_5;
-            let _e554 = sum_5;
-            let _e557 = along;
+            let _e544 = local_17;
+            tall = _e544;
+            let _e547 = tall;
+            band.amplitude = sqrt(_e547);
+            let _e551 = tall;
+            let _e553 = sum_5;
+            let _e556 = sum_5;
             let _e559 = along;
-            band.slopes = ((((16.195057f * _e549) * _e551.y) / _e554.x) * vec2<f32>(_e557, (1f - _e559)));
-            let _e563 = remote;
-            if !(_e563) {
-                let _e566 = ocean;
-                let _e568 = band;
-                ocean.tail = (_e566.tail - _e568.slopes);
+            let _e561 = along;
+            band.slopes = ((((16.195057f * _e551) * _e553.y) / _e556.x) * vec2<f32>(_e559, (1f - _e561)));
+            let _e565 = remote;
+            if !(_e565) {
+                let _e568 = ocean;
+                let _e570 = band;
+                ocean.tail = (_e568.tail - _e570.slopes);
             }
-            let _e572 = remote;
-            if _e572 {
-                let _e574 = peak_1;
-                let _e575 = peak_1;
-                local_19 = i32(floor(log2((18f / (_e574 * _e575)))));
+            let _e574 = remote;
+            if _e574 {
+                let _e576 = peak_1;
+                let _e577 = peak_1;
+                local_19 = i32(floor(log2((18f / (_e576 * _e577)))));
             } else {
-                let _e583 = power_1;
-                let _e586 = i;
+                let _e585 = power_1;
                 let _e588 = i;
-                let _e591 = i;
-                if ((_e588 > 0i) && (_e591 < 4i)) {
+                let _e590 = i;
+                let _e593 = i;
+                if ((_e590 > 0i) && (_e593 < 4i)) {
                     local_18 = 1i;
                 } else {
                     local_18 = -1i;
                 }
-                let _e599 = local_18;
-                local_19 = (((34i - (2i * _e583)) - _e586) + _e599);
+                let _e601 = local_18;
+                local_19 = (((34i - (2i * _e585)) - _e588) + _e601);
             }
-            let _e602 = local_19;
-            band.exponent = _e602;
-            let _e604 = low;
-            band.low = _e604;
-            let _e606 = early;
+            let _e604 = local_19;
+            band.exponent = _e604;
+            let _e606 = low;
+            band.low = _e606;
             let _e608 = early;
-            let _e609 = _e608.xy;
-            band.early = (floor((((_e606 - vec3<f32>(0f, _e609.x, _e609.y)) * vec3<f32>(4f, 1.3333333f, 1f)) + vec3(0.5f))) / vec3(256f));
-            let _e627 = late;
-            let _e628 = early;
-            let _e630 = late;
-            let _e631 = _e630.xy;
-            band.late = (floor((((_e627 - vec3<f32>(_e628.z, _e631.x, _e631.y)) * vec3<f32>(1f, 1.3333333f, 4f)) + vec3(0.5f))) / vec3(256f));
-            let _e649 = band;
+            let _e610 = early;
+            let _e611 = _e610.xy;
+            band.early = (floor((((_e608 - vec3<f32>(0f, _e611.x, _e611.y)) * vec3<f32>(4f, 1.3333333f, 1f)) + vec3(0.5f))) / vec3(256f));
+            let _e629 = late;
+            let _e630 = early;
+            let _e632 = late;
+            let _e633 = _e632.xy;
+            band.late = (floor((((_e629 - vec3<f32>(_e630.z, _e633.x, _e633.y)) * vec3<f32>(1f, 1.3333333f, 4f)) + vec3(0.5f))) / vec3(256f));
             let _e651 = band;
-            let _e654 = band;
-            let _e656 = _e654.late.xy;
-            band.late = (_e649.late - vec3<f32>(_e651.early.z, _e656.x, _e656.y));
-            let _e662 = band;
-            let _e665 = band;
-            let _e667 = _e665.early.xy;
-            band.early = (_e662.early - vec3<f32>(0f, _e667.x, _e667.y));
-            let _e674 = a_2;
-            let _e675 = b_2;
-            let _e676 = c_1;
-            band.spread = (floor((511.5f * vec3<f32>(_e674, _e675, _e676))) * vec3<f32>(8f, 0.00390625f, 8f));
-            let _e688 = fit;
-            let _e692 = widen;
-            let _e695 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - ((_e688.x + 1236f) * _e692)), _e695)));
-            let _e699 = ocean;
-            if (_e699.loop_ > 0i) {
+            let _e653 = band;
+            let _e656 = band;
+            let _e658 = _e656.late.xy;
+            band.late = (_e651.late - vec3<f32>(_e653.early.z, _e658.x, _e658.y));
+            let _e664 = band;
+            let _e667 = band;
+            let _e669 = _e667.early.xy;
+            band.early = (_e664.early - vec3<f32>(0f, _e669.x, _e669.y));
+            let _e676 = a_2;
+            let _e677 = b_2;
+            let _e678 = c_1;
+            band.spread = (floor((511.5f * vec3<f32>(_e676, _e677, _e678))) * vec3<f32>(8f, 0.00390625f, 8f));
+            let _e690 = fit;
+            let _e694 = widen;
+            let _e697 = widen;
+            band.widen = floor((16384f * vec2<f32>((1f - ((_e690.x + 1236f) * _e694)), _e697)));
+            let _e701 = ocean;
+            if (_e701.loop_ > 0i) {
                 local_20 = 0f;
             } else {
-                let _e705 = gravity;
-                let _e708 = tick;
-                let _e710 = low;
-                let _e715 = band;
-                local_20 = (((32768f * _e705) / (((12.566371f * _e708) * _e710) * 1.1892071f)) * exp2(-(f32(_e715.exponent))));
+                let _e707 = gravity;
+                let _e710 = tick;
+                let _e712 = low;
+                let _e717 = band;
+                local_20 = (((32768f * _e707) / (((12.566371f * _e710) * _e712) * 1.1892071f)) * exp2(-(f32(_e717.exponent))));
             }
-            let _e722 = local_20;
-            speed = _e722;
-            let _e725 = speed;
-            let _e727 = direction_1;
-            let _e729 = gabor_impl_wave((0.15915494f * _e727));
-            band.drift = vec2<i32>(floor(((_e725 * _e729) + vec2(0.5f))));
-            let _e736 = i;
-            let _e739 = band;
-            ocean.band[_e736] = _e739;
+            let _e724 = local_20;
+            speed = _e724;
+            let _e727 = speed;
+            let _e729 = direction_1;
+            let _e731 = gabor_impl_wave((0.15915494f * _e729));
+            band.drift = vec2<i32>(floor(((_e727 * _e731) + vec2(0.5f))));
+            let _e738 = i;
+            let _e741 = band;
+            ocean.band[_e738] = _e741;
         }
         continuing {
-            let _e113 = i;
-            i = (_e113 + 1i);
+            let _e115 = i;
+            i = (_e115 + 1i);
         }
     }
-    let _e741 = ocean;
-    ocean.tail = max(_e741.tail, vec2(0f));
-    let _e746 = ocean;
-    return _e746;
+    let _e743 = ocean;
+    ocean.tail = max(_e743.tail, vec2(0f));
+    let _e748 = ocean;
+    return _e748;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {

@@ -9,7 +9,7 @@ from program import ProgramTest
 
 def variance(wind, fetch):
     """The integral of the JONSWAP spectrum: square metres."""
-    reach = 9.81 * fetch / wind**2
+    reach = min(9.81 * fetch / wind**2, 2.15e4) # fully developed
     peak, alpha = 3.5 * 9.81 / wind * reach**-0.33, 0.076 * reach**-0.22
     f = np.linspace(0.3 * peak, 20 * peak, 200000)
     width = np.where(f < peak, 0.07, 0.09)

@@ -31,7 +31,7 @@ struct Wave {
 };
 std::vector<Wave> waves(double wind, double direction, double fetch, double low, double high, int rings,
                         int spokes) {
-    const double reach = gravity * fetch / (wind * wind);
+    const double reach = std::min(gravity * fetch / (wind * wind), 2.15e4); // fully developed
     const double peak = 3.5 * gravity / wind * std::pow(reach, -0.33), alpha = 0.076 * std::pow(reach, -0.22);
     std::vector<Wave> all;
     for (int i = 0; i < rings; ++i) {
