@@ -75,10 +75,11 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     float once = 0.02 + 0.98 * pow(1.0 - max(dot(middle, sea.sun), 0.0), 5.0);
     float day = smoothstep(-0.02, 0.35, sea.sun.y);
     vec3 sunlight = mix(vec3(1.0, 0.5, 0.2), vec3(1.0, 0.93, 0.8), day) * smoothstep(-0.02, 0.05, sea.sun.y);
-    float glitter = chance * once / (4.0 * facing * pow(max(middle.y, 0.1), 4.0)) * max(sea.sun.y, 0.02);
+    // The sun is as bright as on foam, through air with an optical depth of 0.29.
+    float glitter = 1.4 * exp(-0.29 / max(sea.sun.y, 0.06)) * chance * once / (4.0 * facing * pow(max(middle.y, 0.1), 4.0));
     float through = pow(max(dot(ray.xz, sea.sun.xz), 0.0), 2.0) * clamp(0.3 + 0.35 * w.height / sea.high, 0.0, 1.3);
     vec3 below = (0.25 + 0.75 * day) * (vec3(0.002, 0.016, 0.042) + vec3(0.006, 0.05, 0.055) * (0.12 + through + 0.25 * max(slope.x * ray.x + slope.y * ray.z, 0.0)));
-    vec3 light = mix(below, sky, min(fresnel, 1.0)) + 0.6 * glitter * sunlight;
+    vec3 light = mix(below, sky, min(fresnel, 1.0)) + glitter * sunlight;
     return mix(light, (0.3 + 0.5 * day) * (vec3(0.55, 0.6, 0.65) + 0.5 * max(dot(normal, sea.sun), 0.0) * sunlight), foam);
 }
 
