@@ -37,13 +37,15 @@ def spline(pixels, spacing, wrap):
 
 
 def rms_slope(heights, spacing, wrap):
-    """Returns the rms slope per pixel at the nodes of a spline, each of which is a mean of the pixels that it reaches."""
+    """Returns the rms slope per pixel at the nodes of a spline, each of which is a mean of the pixels that it reaches, without NaN."""
     (down, rows), (across, columns) = (spline(pixels, spacing, wrap) for pixels in heights.shape)
-    nodes = down.T @ heights @ across / np.outer(down.sum(0), across.sum(0))
+    known = np.isfinite(heights)
+    weights = down.T @ known @ across
+    nodes = down.T @ np.where(known, heights, 0) @ across / np.where(weights > 1e-9, weights, np.nan)
     along, beside = np.array([-1, 0, 1]) / 2, np.array([1, 4, 1]) / 6
     around = np.lib.stride_tricks.sliding_window_view(nodes, (3, 3))
-    return np.sqrt(np.mean((columns * np.einsum("yxji,j,i->yx", around, beside, along))**2
-                           + (rows * np.einsum("yxji,j,i->yx", around, along, beside))**2))
+    return np.sqrt(np.nanmean((columns * np.einsum("yxji,j,i->yx", around, beside, along))**2
+                              + (rows * np.einsum("yxji,j,i->yx", around, along, beside))**2))
 
 
 def minima(heights):
@@ -155,9 +157,10 @@ class Erode(ProgramTest):
     def test_a_map_is_smoothed_by_a_spline_and_its_rms_slope_gives_its_extent(self):
         """Nodes are a seventh of the widest gully apart, and an rms slope of 0.2 is taken as typical."""
         rough = np.random.default_rng(1).random((70, SIDE), "f4")
-        write_exr(self.folder / "rough.exr", {"Y": rough})
+        rough[np.add.outer(2 * np.arange(70), np.arange(SIDE)) > 150] = np.nan
+        write_exr(self.folder / "rough.exr", {"Y": np.nan_to_num(rough, nan=-9999)})
         for options, frequency in ([], 0.5), (["--tileable"], 0.7), ([], 3):  # with the last, one node for each pixel
-            self.eroded("--octaves=0", f"--gully-frequency={frequency}", *options, map="rough.exr")
+            self.eroded("--octaves=0", "--nodata=-9999", f"--gully-frequency={frequency}", *options, map="rough.exr")
             parameters, expected = Exr(self.folder / "out.exr").parameters, rms_slope(rough, max(SIDE / 8 / frequency / 7, 1), bool(options))
             print(f"rms slope {parameters['slope']:.6f} for {expected:.6f}")
             self.assertAlmostEqual(parameters["slope"] / expected, 1, delta=1e-5)

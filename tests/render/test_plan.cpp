@@ -109,11 +109,15 @@ TEST_CASE("a window uses blocks of one size at all scales, and no blocks at smal
 }
 
 TEST_CASE("a window filters with one pipeline at all scales, and a picture with one for its scale") {
-    Request request{.lobes = {{.frequency = 2}, {.frequency = 5, .radius = 0.05}}, .filter = true};
+    Request request{.lobes = {{.frequency = 2},
+                              {.frequency = 5, .radius = 0.05},
+                              {.radius = 0.05, .stretch = 20},
+                              {.stretch = 0.05}},
+                    .filter = true};
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     const auto constants = [&] { return plan(request, viewport).steps.front().constants; };
-    CHECK(constants()[passes::narrow_waves_id] == 0b01);
-    CHECK(constants()[passes::wide_waves_id] == 0b10);
+    CHECK(constants()[passes::narrow_waves_id] == 0b0001);
+    CHECK(constants()[passes::wide_waves_id] == 0b1110); // of an oblong kernel, the shorter radius decides
     viewport.blocks = Blocks::fixed;
     const Constants near = constants();
     CHECK(near[passes::few_waves_id] == 0); // one pipeline for any number of waves above one

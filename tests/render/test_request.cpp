@@ -162,6 +162,33 @@ TEST_CASE("colours are refused with what they cannot colour, and if their JSON i
     Request request = with(mixing);
     request.quadrature = true;
     CHECK_THROWS_WITH(render::check(request), Catch::Contains("colours conflict with"));
+    for (const noise::Lobe& lobe : {noise::Lobe{.power = 0}, noise::Lobe{.frequency_spread = 0.1}}) {
+        Request of_two = with(mixing);
+        of_two.lobes.push_back(lobe);
+        of_two.colour->weights.push_back(of_two.colour->weights.front());
+        CHECK_THROWS_WITH(render::check(of_two), Catch::Contains("colour requires weights"));
+        render::drop_conflicting(of_two, "lobes");
+        CHECK_FALSE(of_two.colour);
+    }
+    render::drop_conflicting(request, "phasor");
+    CHECK_FALSE(request.colour);
+}
+
+TEST_CASE("a full turn of an angle changes nothing", "[request]") {
+    for (const auto& [view, material, angle] : {std::array{"sphere", "wood", "yaw"},
+                                                {"torus", "none", "yaw"},
+                                                {"landscape", "none", "yaw"},
+                                                {"ocean", "none", "yaw"},
+                                                {"flat", "wood", "light_azimuth"},
+                                                {"terrain", "none", "light_azimuth"},
+                                                {"flat", "none", "orientation"}}) {
+        INFO(view << ", " << material << ", " << angle);
+        Request turned = of_view(view), other = of_view(view);
+        turned.material = other.material = material;
+        set_text(turned, angle, "-150");
+        set_text(other, angle, "570");
+        CHECK(draw_alike(turned, other));
+    }
 }
 
 TEST_CASE("files of earlier versions load", "[request]") {
