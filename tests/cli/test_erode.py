@@ -24,6 +24,30 @@ def hills(side=SIDE, rows=None):
     return (0.5 + 0.2 * np.sin(x + 1) * np.cos(y) + 0.2 * np.sin(2 * y - x)).astype("f4")
 
 
+def spline(pixels, spacing, wrap):
+    """Returns the share of each node of a uniform cubic B-spline at the centre of each pixel, and the nodes per pixel."""
+    count = round(min(max(pixels / spacing, 3), pixels))
+    at = (np.arange(pixels) + 0.5) * count / pixels
+    distance = np.abs(at[:, None] - np.arange(-1, count + 2))
+    share = np.where(distance < 1, 2 / 3 - distance**2 + distance**3 / 2, np.clip(2 - distance, 0, None)**3 / 6)
+    if wrap:  # the last three nodes are the first three
+        share[:, :3] += share[:, -3:]
+        share[:, -3:] = share[:, :3]
+    return share, count / pixels
+
+
+def rms_slope(heights, spacing, wrap):
+    """Returns the rms slope per pixel at the nodes of a spline, each of which is a mean of the pixels that it reaches, without NaN."""
+    (down, rows), (across, columns) = (spline(pixels, spacing, wrap) for pixels in heights.shape)
+    known = np.isfinite(heights)
+    weights = down.T @ known @ across
+    nodes = down.T @ np.where(known, heights, 0) @ across / np.where(weights > 1e-9, weights, np.nan)
+    along, beside = np.array([-1, 0, 1]) / 2, np.array([1, 4, 1]) / 6
+    around = np.lib.stride_tricks.sliding_window_view(nodes, (3, 3))
+    return np.sqrt(np.nanmean((columns * np.einsum("yxji,j,i->yx", around, beside, along))**2
+                              + (rows * np.einsum("yxji,j,i->yx", around, along, beside))**2))
+
+
 def minima(heights):
     """Returns how many pixels are lower than their eight neighbours."""
     around = np.lib.stride_tricks.sliding_window_view(heights, (3, 3)).reshape(-1, 9)
@@ -114,8 +138,11 @@ class Erode(ProgramTest):
         self.succeed("erode", "out.png", "-o", "stated.exr", *stated)
         for name, values in Exr(self.folder / "stated.exr").channels.items():
             np.testing.assert_array_equal(Exr(self.folder / "same.exr").channels[name], values)
-        (self.folder / "out.png.json").write_text('{"extent": 4}') # another program's
-        self.assertIn("guess", self.succeed("erode", "out.png", "-o", "same.exr"))
+        for others in '{"extent": 4}', '{"elevation": [2, 1], "extent": [4, 4]}', '{"elevation": [1, 2], "extent": [0, 0]}':
+            (self.folder / "out.png.json").write_text(others) # another program's
+            self.assertIn("guess", self.succeed("erode", "out.png", "-o", "same.exr"))
+        heights = self.eroded("--size=96x96", "--extent=400", "--octaves=0", map="map.r16")["height"]
+        np.testing.assert_allclose(heights, 400 / 8 * levels / 65535, atol=1e-5)
 
     def test_erosion_is_in_proportion_to_the_map(self):
         """A map that is higher, wider or both erodes in proportion, and --gully-width has the unit of --extent."""
@@ -123,7 +150,30 @@ class Erode(ProgramTest):
         write_exr(self.folder / "high.exr", {"Y": 300 * self.map})
         high = self.eroded("--extent=900", map="high.exr")
         np.testing.assert_allclose(high["erosion"], 300 * seen, atol=300 * 2e-5)
-        np.testing.assert_array_equal(self.eroded("--extent=8", "--gully-width=1")["erosion"], seen)
+        for width in 1, 2:
+            np.testing.assert_array_equal(self.eroded("--extent=8", f"--gully-width={width}")["erosion"],
+                                          self.eroded("--extent=8", f"--gully-frequency={1 / width}")["erosion"])
+
+    def test_a_map_is_smoothed_by_a_spline_and_its_rms_slope_gives_its_extent(self):
+        """Nodes are a seventh of the widest gully apart, and an rms slope of 0.2 is taken as typical."""
+        rough = np.random.default_rng(1).random((70, SIDE), "f4")
+        rough[np.add.outer(2 * np.arange(70), np.arange(SIDE)) > 150] = np.nan
+        write_exr(self.folder / "rough.exr", {"Y": np.nan_to_num(rough, nan=-9999)})
+        for options, frequency in ([], 0.5), (["--tileable"], 0.7), ([], 3):  # with the last, one node for each pixel
+            self.eroded("--octaves=0", "--nodata=-9999", f"--gully-frequency={frequency}", *options, map="rough.exr")
+            parameters, expected = Exr(self.folder / "out.exr").parameters, rms_slope(rough, max(SIDE / 8 / frequency / 7, 1), bool(options))
+            print(f"rms slope {parameters['slope']:.6f} for {expected:.6f}")
+            self.assertAlmostEqual(parameters["slope"] / expected, 1, delta=1e-5)
+            self.assertAlmostEqual(parameters["extent"], parameters["slope"] * SIDE / 0.2, delta=1e-6)
+
+    def test_maps_get_finer_gullies_and_rounder_creases_than_views(self):
+        for name in "alps", "canyon":
+            self.succeed("erode", "map.exr", "-o", "out.exr", f"--preset={name}", "--octaves=0")
+            found = Exr(self.folder / "out.exr").parameters
+            preset = json.loads((pathlib.Path(__file__).parents[2] / f"host/render/presets/{name}.json").read_text())
+            for option, factor, by_default in ("gully_frequency", 1.5, 1.5), ("crease_rounding", 4, 0.1), ("gain", 1, 0.5):
+                self.assertAlmostEqual(float(found[option]), factor * preset.get(option, by_default), msg=(name, option))
+            self.assertEqual(float(found["onset"]), 2 * 0.637)
 
     def test_both_axes_are_alike(self):
         """A map that is not square and the same map with x and y exchanged."""
@@ -305,6 +355,7 @@ class Erode(ProgramTest):
             masks = {name: values.astype(float) for name, values in Exr(folder / "masks.exr").channels.items()}
             scale = json.loads((folder / "masks.json").read_text())
             self.assertEqual([scale["width"], scale["height"]], [width, height])
+            self.assertEqual(scale["masks"], {**dict.fromkeys(scale["masks"], [0, 1]), "slope": [0, 90], "erosion": scale["masks"]["erosion"]})
             np.testing.assert_allclose(scale["extent"], [500 / SIDE * width, 500 / SIDE * height])
             self.assertEqual({path.name for path in folder.iterdir()},
                              {"masks.exr", "masks.json", *(f"{name}.png" for name in scale["masks"])})
@@ -349,12 +400,14 @@ class Erode(ProgramTest):
         write_tiff(self.folder / "heavy.tif", np.ones((16, 16), "<u2"), (16, 16), t323=("I", 1 << 28))
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
         write_exr(self.folder / "flat.exr", {"Y": np.ones((4, 4), "f4")})
-        pit, colour = np.ones((4, 4), "f4"), np.full((4, 4, 3), 9, "u1")
-        colour[1, 2, 0] = 8
+        pit = np.ones((4, 4), "f4")
         for name, absurd in ("pit", -9999), ("pit_5", -99999), ("pit_16", -32768), ("pit_15", -32767), ("pit_9", 1e9):
             pit[1, 2] = absurd
             write_exr(self.folder / f"{name}.exr", {"Y": pit})
-        PIL.Image.fromarray(colour).save(self.folder / "colour.png")
+        for channel in range(3):
+            colour = np.full((4, 4, 3), 9, "u1")
+            colour[1, 2, channel] = 8
+            PIL.Image.fromarray(colour).save(self.folder / f"colour{channel}.png")
         for words, options in {
             ("-o 'out.tif'", ".exr, .png or .r16"): ("map.exr", "-o", "out.tif"),
             ("'none.exr'",): ("none.exr", "-o", "out.exr"),
@@ -371,8 +424,7 @@ class Erode(ProgramTest):
             ("pixel (2, 1)", "-32767", "--nodata"): ("pit_15.exr", "-o", "out.exr"),
             ("pixel (2, 1)", "--nodata", "1e+09"): ("pit_9.exr", "-o", "out.exr"),
             ("every pixel",): ("flat.exr", "--nodata=1", "-o", "out.exr"),
-            ("in colour", "pixel (2, 1)"): ("colour.png", "-o", "out.exr"),
-            ("LOW,HIGH",): ("colour.png", "--elevation=2,1", "-o", "out.png"),
+            ("LOW,HIGH",): ("colour0.png", "--elevation=2,1", "-o", "out.png"),
             ("--region", "96 x 96"): ("map.exr", "--extent=8", "--region=90,0,10,10", "-o", "out.exr"),
             ("--preset 'dunes'", "alps, badlands, canyon, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
             ("'map.r16'",): ("map.exr", "--extent=8", "--masks=map.r16", "-o", "out.exr"),
@@ -389,6 +441,10 @@ class Erode(ProgramTest):
             ("pixel (0, 0)", "nan"): ("nan.exr", "-o", "out.exr"),
         }.items():
             self.assert_refused(words, "erode", *options)
+        for channel in range(3):
+            self.assert_refused(("in colour", "pixel (2, 1)"), "erode", f"colour{channel}.png", "-o", "out.exr")
+        for width in "1e-9", "1e9":
+            self.assert_refused(("--gully-width", "suits the map"), "erode", "map.exr", "--extent=5", f"--gully-width={width}", "-o", "out.exr")
 
 
 if __name__ == "__main__":

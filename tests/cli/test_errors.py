@@ -93,6 +93,7 @@ class Arguments(ErrorTest):
                                (["--view=torus", "--solid"], "torus")):
             self.refuse_render([f"--recipe requires the flat or horizon view of noise, not {other}"], "--recipe=one", *options)
         self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
+        self.refuse_render(["--boards.width requires a material with boards, not wood without boards"], "--material=wood", "--boards.width=1")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
             self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")

@@ -140,6 +140,8 @@ class Help(ProgramTest):
             self.assertLessEqual(subgroup, 128)
             if "llvmpipe" in block:
                 self.assertIn("   GPU timing      yes\n", block)
+            if "llvmpipe Mesa 22.3" in block:
+                self.assertIn("   memory          2048 MiB\n   storage buffer  128 MiB at most\n", block)
 
 
 if __name__ == "__main__":

@@ -184,6 +184,7 @@ class Maps(RenderTest):
         width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
         for size in ((64, 32), (32, 64)):
             self.assertEqual(described("--preset=walnut", f"--size={size[0]}x{size[1]}"), (*size, True, scale * 32 / min(width, height)))
+        self.assertEqual(described("--preset=hills", "--size=64x32"), (64, 32, True, 8))  # its shorter side is the least
         self.assertEqual(described("--preset=walnut", "--size=32", "--scale=9"), (32, 32, True, 9))
         self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
         self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
@@ -201,6 +202,8 @@ class Maps(RenderTest):
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
         """Compares the GGX highlight on each pixel of a mip level with the mean highlight on the fine pixels that it covers."""
+        self.succeed("render", "--material=leather", "--size=8x32", "--maps", "oblong", "--texture")
+        self.assertEqual([level["R"].shape for level in Texture(self.folder / "oblong" / "maps.exr").levels], [(32 >> k, max(8 >> k, 1)) for k in range(6)])
         side, block = 256, 16
         self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
         levels = Texture(self.folder / "set" / "maps.exr").levels

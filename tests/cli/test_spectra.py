@@ -95,10 +95,12 @@ class Spectra(SpectraTest):
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
         (self.folder / "lobes-preset.json").write_text(json.dumps({"lobes": LOBES}))
+        (self.folder / "cut.json").write_text('[{"frequency": 3}')
         for words, arguments in [
             (["--lobes", "cannot read", "absent.json"], ["--lobes=absent.json"]),
             (["list of lobes"], ["--lobes", self.write_lobes(3, "number.json")]),
             (["empty"], ["--lobes", self.write_lobes([], "none.json")]),
+            (["a JSON list of lobes"], ["--lobes", "cut.json"]),
             (["16"], ["--lobes", self.write_lobes([{}] * 17, "many.json")]),
             (["'colour'", "frequency_spread"], ["--lobes", self.write_lobes([{"colour": 1}], "unknown.json")]),
             (["power", "number"], ["--lobes", self.write_lobes([{"power": "x"}], "text.json")]),

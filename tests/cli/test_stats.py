@@ -204,7 +204,7 @@ class Distributions(StatsTest):
     def test_unknown_variances(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
-                                 ("gradient.x", ["--gradient", "--recipe=paper"])):
+                                 ("gradient.x", ["--gradient", "--recipe=paper"]), ("gradient.y", ["--gradient", "--recipe=lattice-2"])):
             self.render(*options)
             self.assertIsNone(self.stats("in.exr", "--channel", channel)["expected_variance"], (channel, options))
             self.assertNotIn("theory", self.succeed("stats", "in.exr", "--channel", channel))

@@ -49,6 +49,8 @@ class Terrain(ProgramTest):
         scales = [json.loads((self.folder / f"{name}.json").read_text()) for name in ("whole.png", "part.r16")]
         self.assertEqual(scales[0]["elevation"], scales[1]["elevation"])
         np.testing.assert_allclose([scale["extent"] for scale in scales], [[8, 4.8], [2, 1.5]])
+        highest = 2 + 0.12 / 1.5 * sum(0.5**octave for octave in range(5))  # that of the hills, and the strength of each octave of gullies
+        np.testing.assert_allclose(scales[0]["elevation"], [-highest, highest], rtol=1e-6)
         levels = read_deep_png(self.folder / "whole.png")
         part = np.frombuffer((self.folder / "part.r16").read_bytes(), "<u2").reshape(30, 40)
         np.testing.assert_array_equal(part, levels[20:50, 10:50])
@@ -102,6 +104,8 @@ class Terrain(ProgramTest):
                                (["-o", "a.exr", "--elevation=1,2"], ["--elevation", "--heightmap"])):
             with self.subTest(options):
                 self.assert_refused(words, *GROUND, *options)
+        for view in "landscape", "flat":
+            self.assert_refused(["a heightmap requires the terrain view"], "render", f"--view={view}", "--size=8x8", "--heightmap=a.png")
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

@@ -157,6 +157,9 @@ class Refused(TextureTest):
             "conflicts with": ["--size=64x64", "--recipe=paper"],
         }.items():
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
+        for size, region in (("256x256", "32,0,128,32"), ("256x256", "0,16,32,32"), ("256x256", "0,64,32,128"),  # not at a tile
+                             ("96x64", "0,0,64,64"), ("96x64", "0,0,64,32"), ("64x96", "0,0,64,64"), ("64x96", "0,0,32,64")):  # no whole tiles
+            self.assert_refused(["equal tiles"], "render", "--texture", f"--size={size}", f"--region={region}", "-o", "new.exr")
         for output in ("-o", "--png"):
             self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", output, "new.png")
         self.assert_refused(["--texture"], "render", "--half", "--size=64x64", "-o", "new.exr")

@@ -1,6 +1,7 @@
 // Tests how requests become plans, which are plain values and need no device.
 
 #include "render/erosion.hpp"
+#include "render/maps.hpp"
 #include "render/material.hpp"
 #include "render/plan_parts.hpp"
 #include "set_text.hpp"
@@ -9,6 +10,7 @@
 #include "passes/erode_interface.h"
 #include "passes/line.h"
 #include "passes/material_interface.h"
+#include "passes/ocean_interface.h"
 #include "passes/pictures.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
@@ -47,6 +49,31 @@ std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
     return values_of<passes::Line>(plan(request, viewport).tables.at(0));
 }
 
+// The push constants of a plan that draws pixel by pixel, and the positions of its pixels, if it stores them.
+std::vector<Bytes> seen(const Request& request, Viewport viewport) {
+    viewport.blocks = Blocks::none;
+    const Plan made = plan(request, viewport, {3, 2, std::vector<float>(12, 1), true});
+    std::vector<Bytes> all{made.steps.front().push};
+    if (made.steps.front().shader.starts_with("pixels")) {
+        auto push = values_of<passes::PixelsPush>(all.front()).front();
+        if (request.paint.empty())
+            push.paint_corner = {};
+        all = {bytes_of(push), made.tables[0], made.tables[1]};
+    }
+    return all;
+}
+
+// The push constants of a view of 300 x 200 pixels and of 200 x 300 pixels.
+template <typename Push>
+std::array<Push, 2> wide_and_tall(const char* view, const char* material = "none") {
+    const auto push = [&](const char* width, const char* height) {
+        const Request request =
+            request_of({{"view", view}, {"material", material}, {"width", width}, {"height", height}});
+        return values_of<Push>(whole(request).steps.front().push).at(0);
+    };
+    return {push("300", "200"), push("200", "300")};
+}
+
 // The distance in kernel cells from one line to the next, even where cells wrap around.
 double step(const passes::Line& from, const passes::Line& to) {
     const auto cells = static_cast<std::uint32_t>(to.cell) - static_cast<std::uint32_t>(from.cell);
@@ -82,11 +109,15 @@ TEST_CASE("a window uses blocks of one size at all scales, and no blocks at smal
 }
 
 TEST_CASE("a window filters with one pipeline at all scales, and a picture with one for its scale") {
-    Request request{.lobes = {{.frequency = 2}, {.frequency = 5, .radius = 0.05}}, .filter = true};
+    Request request{.lobes = {{.frequency = 2},
+                              {.frequency = 5, .radius = 0.05},
+                              {.radius = 0.05, .stretch = 20},
+                              {.stretch = 0.05}},
+                    .filter = true};
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     const auto constants = [&] { return plan(request, viewport).steps.front().constants; };
-    CHECK(constants()[passes::narrow_waves_id] == 0b01);
-    CHECK(constants()[passes::wide_waves_id] == 0b10);
+    CHECK(constants()[passes::narrow_waves_id] == 0b0001);
+    CHECK(constants()[passes::wide_waves_id] == 0b1110); // of an oblong kernel, the shorter radius decides
     viewport.blocks = Blocks::fixed;
     const Constants near = constants();
     CHECK(near[passes::few_waves_id] == 0); // one pipeline for any number of waves above one
@@ -134,6 +165,69 @@ TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     };
     CHECK(distance("300", "200") == distance("200", "300"));
     CHECK(distance("300", "200") > distance("200", "200"));
+}
+
+TEST_CASE("a tall picture shows as much as a wide one") {
+    const auto [land, tall_land] = wide_and_tall<passes::TerrainPush>("landscape");
+    CHECK(land.pixel == tall_land.pixel);
+    const auto [sea, tall_sea] = wide_and_tall<passes::OceanPush>("ocean");
+    CHECK(sea.pixel == tall_sea.pixel);
+    const auto [body, tall_body] = wide_and_tall<passes::MaterialPush>("sphere", "wood");
+    CHECK(body.pixel == tall_body.pixel);
+    CHECK(body.unit == tall_body.unit);
+}
+
+TEST_CASE("a coarse view shows what a smaller picture does, and a zoomed one what a larger one does") {
+    const std::vector<std::vector<std::pair<std::string, std::string>>> all{
+        {{"view", "terrain"}, {"extent", "50"}},
+        {{"view", "landscape"}},
+        {{"view", "ocean"}},
+        {{"view", "slice"}},
+        {{"view", "sphere"}, {"material", "wood"}},
+        {{"view", "horizon"}},
+        {{"view", "horizon"}, {"material", "wood"}},
+        {{"material", "wood"}},
+        {{"phasor", "true"}},
+        {{"paint", "paint.png"}}};
+    for (const auto& values : all) {
+        Request request = request_of(values);
+        request.width = 300;
+        request.height = 180;
+        Viewport viewport{.camera = default_camera(request).moved(3.3, -1.7),
+                          .width = 320,
+                          .height = 200,
+                          .region = {8, 12, 40, 30}};
+        const auto enlarged = [&](double factor) {
+            Request made = request;
+            made.width = static_cast<int>(300 * factor);
+            made.height = static_cast<int>(180 * factor);
+            made.scale *= factor;
+            return made;
+        };
+        INFO(values.front().second << ", " << values.back().second);
+        Viewport zoomed = viewport;
+        zoomed.camera.zoom = 2;
+        CHECK((seen(request, zoomed) == seen(enlarged(2), viewport)));
+        Viewport coarse = viewport, small = viewport;
+        coarse.stride = 2;
+        small.width = 160;
+        small.height = 100;
+        Request half = enlarged(0.5);
+        if (in_perspective(request)) // whose bottom row has the scale
+            half.scale = request.scale * (100 - 0.5 - sky_rows(100)) / (200 - 0.5 - sky_rows(200));
+        CHECK((seen(request, coarse) == seen(half, small)));
+    }
+    const Request body = request_of({{"view", "sphere"}});
+    Viewport viewport = viewport_of(body, {0, 0, 8, 8});
+    viewport.stride = 4;
+    CHECK(values_of<passes::SolidPush>(plan(body, viewport).steps.front().push).at(0).share == 0.25f);
+}
+
+TEST_CASE("maps of another side show as much along their shorter side") {
+    Request request{.width = 60, .height = 40, .scale = 10};
+    set_side(request, 80);
+    CHECK(std::array{request.width, request.height} == std::array{80, 80});
+    CHECK(request.scale == 20);
 }
 
 TEST_CASE("a longer focal length shows as much of a landscape from farther away") {
@@ -246,6 +340,9 @@ TEST_CASE("a coarse view filters its waves for its larger pixels") {
     // The deviation is half a pixel: merging 4 x 4 pixels adds 15/4 square pixels of variance.
     CHECK(amplitude(4) / amplitude(1) ==
           Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
+    const float coarse = amplitude(4);
+    viewport.camera.zoom = 0.25;
+    CHECK(amplitude(1) == coarse);
 }
 
 TEST_CASE("an erosion reads its map with a margin around each band, and scales the map to what presets are "

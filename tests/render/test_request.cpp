@@ -140,6 +140,57 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
     CHECK(render::from_json("{}") == Request());
 }
 
+TEST_CASE("colours are refused with what they cannot colour, and if their JSON is not one of a colour",
+          "[request]") {
+    const std::string
+        start = R"("colour": {"weights": [[[0, 0.8], [0.3, 0.2], [-0.1, 0.4]]], "histogram": [)"
+                R"([0, 1, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0]], "mean": [0.5, 0.4, 0.3], )",
+        mixing = R"("mixing": [[0.2, 0.1, 0], [0.2, -0.1, 0], [0.1, 0, 0.1]])";
+    const auto with = [&](const std::string& rest, const std::string& more = "") {
+        return render::from_json("{" + start + rest + "}" + more + "}");
+    };
+    CHECK_FALSE(with(mixing).colour->linear);
+    CHECK(with(mixing + R"(, "linear": true)").colour->linear);
+    CHECK(render::from_json(render::to_json(with(mixing))) == with(mixing));
+    for (const char* wrong : {R"("mixing": [[1, 0, 0], [0, 1, 0]])",
+                              R"("mixing": [[1, 0, 0, 0], [0, 1, 0], [0, 0, 1]])", R"("linear": true)"})
+        CHECK_THROWS_WITH(with(wrong), Catch::Contains("a colour has weights"));
+    CHECK_THROWS_WITH(with(mixing + R"(, "gamma": 2)"), Catch::Contains("a colour has weights"));
+    for (const char* other :
+         {R"("gradient": true)", R"("phasor": true)", R"("paint": "a.exr")", R"("material": "wood")"})
+        CHECK_THROWS_WITH(with(mixing, std::string(", ") + other), Catch::Contains("colours conflict with"));
+    Request request = with(mixing);
+    request.quadrature = true;
+    CHECK_THROWS_WITH(render::check(request), Catch::Contains("colours conflict with"));
+    for (const noise::Lobe& lobe : {noise::Lobe{.power = 0}, noise::Lobe{.frequency_spread = 0.1}}) {
+        Request of_two = with(mixing);
+        of_two.lobes.push_back(lobe);
+        of_two.colour->weights.push_back(of_two.colour->weights.front());
+        CHECK_THROWS_WITH(render::check(of_two), Catch::Contains("colour requires weights"));
+        render::drop_conflicting(of_two, "lobes");
+        CHECK_FALSE(of_two.colour);
+    }
+    render::drop_conflicting(request, "phasor");
+    CHECK_FALSE(request.colour);
+}
+
+TEST_CASE("a full turn of an angle changes nothing", "[request]") {
+    for (const auto& [view, material, angle] : {std::array{"sphere", "wood", "yaw"},
+                                                {"torus", "none", "yaw"},
+                                                {"landscape", "none", "yaw"},
+                                                {"ocean", "none", "yaw"},
+                                                {"flat", "wood", "light_azimuth"},
+                                                {"terrain", "none", "light_azimuth"},
+                                                {"flat", "none", "orientation"}}) {
+        INFO(view << ", " << material << ", " << angle);
+        Request turned = of_view(view), other = of_view(view);
+        turned.material = other.material = material;
+        set_text(turned, angle, "-150");
+        set_text(other, angle, "570");
+        CHECK(draw_alike(turned, other));
+    }
+}
+
 TEST_CASE("files of earlier versions load", "[request]") {
     // These files store every value for every view, `lobes` as well as the values of a single lobe, and
     // values that version 3.0 does not have.
