@@ -49,6 +49,8 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--view=ocean --wind=28 --altitude=1 --pitch=50 --zoom=6",
             "--material=brushed-metal --view=sphere --environment=overcast --filter --scale=6 --yaw=25",
             "--material=leather --view=horizon --environment=overcast --filter --scale=12",
+            # the antialiased outline in a large picture
+            "--view=sphere --size=2000x2000 --region=315,319,24,16 --scale=500",
             "--material=wood --boards --tileable --environment=dark --filter --scale=4",
             "--paint=paint.exr --gradient --scale=4", "--like=colour.json --filter --scale=6"]
 EROSIONS = ["--seed=7 --extent=12 --gully-width=7.5", "--seed=7 --extent=8 --gully-width=1 --tileable --preset=canyon"]
@@ -72,7 +74,7 @@ class Golden(ProgramTest):
         write_exr(self.folder / "paint.exr", {"frequency": np.array([[1, 2, 1.5], [0.5, 1, 2]], "<f4"),
                                               "orientation": np.array([[10, 350, 170], [20, 200, 290]], "<f4")})
         for options in PICTURES:
-            yield f"{options}: all", np.hstack([*self.draw("--size=24x16", "--seed=7", *options.split()).values()])
+            yield f"{options}: all", np.hstack([*self.draw(*["--size=24x16"][:"--size" not in options], "--seed=7", *options.split()).values()])
         x, y = np.arange(23), np.arange(17)[:, None]
         heights = (x * (23 - x) * (7 + y) - 9 * y * y).astype("<f4")
         heights[5, 7:9] = -9999
