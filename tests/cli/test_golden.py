@@ -1,9 +1,9 @@
 """Checks the pixels of this version: for each recipe, 8 x 8 pixels in the first and last corners of the largest picture, drawn
-in blocks and pixel by pixel, and small pictures of other kinds with all channels. On lavapipe from Mesa 22.3 (Debian 12),
-their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance in
-render/request.hpp, or, for terrain, materials and bodies, within 1.5e-3: a pixel's six colours may be off by the 1e-4 of
-test_material.cpp, and light on metal by five times that. Changing pixels requires a new version. After an intended
-change, regenerate the file with this command and review the diff:
+in blocks and pixel by pixel, and small pictures of other kinds and eroded maps with all channels. On lavapipe from Mesa 22.3
+(Debian 12), their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance
+in render/request.hpp, or, for terrain, materials and bodies, within 1.5e-3: a pixel's six colours may be off by the 1e-4 of
+test_material.cpp, and light on metal by five times that. Changing pixels requires a new version. After an intended change,
+regenerate the file with this command and review the diff:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
 """
@@ -16,7 +16,7 @@ import unittest
 
 import numpy as np
 
-from exr import Exr
+from exr import Exr, write_exr
 from program import ProgramTest
 
 GOLDEN = pathlib.Path(__file__).parents[1] / "golden" / "pixels.txt"
@@ -29,6 +29,10 @@ REQUESTS = [("--gradient",), ("--tileable", "--time=0.3"), ("--phasor",),
             ("--phasor", "--gradient", "--tileable", "--time=0.3")]
 LOBES = """[{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5},
             {"frequency": 1, "orientation": -50, "orientation_spread": 70, "radius": 1.7, "stretch": 0.7}]"""
+COLOUR = """{"lobes": [{"frequency": 3, "orientation": 20, "power": 2}, {"frequency": 1, "orientation": -50, "radius": 1.7}],
+             "colour": {"weights": [[[0, 0.8], [0.3, 0.2], [-0.1, 0.4]], [[0, 0.5], [0.1, -0.9], [0.5, 0.3]]],
+             "histogram": [[0.05, 0.9, -0.05, 0.02, 0.003, 0.001], [0, 1, 0, 0.04, 0.01, -0.002], [-0.1, 0.8, 0.1, 0.05, -0.004, 0.002]],
+             "mean": [0.5, 0.4, 0.3], "mixing": [[0.2, 0.05, -0.03], [0.15, -0.1, 0.02], [0.1, 0.02, 0.08]]}}"""
 PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
             "--view=landscape --scale=6", "--view=ocean --wind=18 --time=7.5 --light-elevation=12 --light-azimuth=74 --pitch=15",
             "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
@@ -37,7 +41,19 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--view=torus --solid --scale=6 --yaw=20",
             "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
             "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
-            "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60"]
+            "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60",
+            # meadows and a low sun in front of a raised eye, clay, a low sun above the sea, and the foam of a storm from nearby
+            "--view=landscape --preset=hills --pitch=0 --yaw=20 --light-azimuth=200 --light-elevation=3 --scale=6",
+            "--view=landscape --preset=badlands --scale=6",
+            "--view=ocean --wind=9 --altitude=30 --pitch=0 --zoom=1.5 --yaw=250 --light-azimuth=70.8 --light-elevation=0.8",
+            "--view=ocean --wind=28 --altitude=1 --pitch=50 --zoom=6",
+            "--material=brushed-metal --view=sphere --environment=overcast --filter --scale=6 --yaw=25",
+            "--material=leather --view=horizon --environment=overcast --filter --scale=12",
+            # the antialiased outline in a large picture
+            "--view=sphere --size=2000x2000 --region=315,319,24,16 --scale=500",
+            "--material=wood --boards --tileable --environment=dark --filter --scale=4",
+            "--paint=paint.exr --gradient --scale=4", "--like=colour.json --filter --scale=6"]
+EROSIONS = ["--seed=7 --extent=12 --gully-width=7.5", "--seed=7 --extent=8 --gully-width=1 --tileable --preset=canyon"]
 TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 1.5e-3}
 
 
@@ -54,8 +70,18 @@ class Golden(ProgramTest):
                     for name, values in self.draw(f"--recipe={recipe}", region, *COMMON, *request).items():
                         yield f"{recipe} {' '.join(request)}, {corner} corner: {name}", values
         (self.folder / "lobes.json").write_text(LOBES)
+        (self.folder / "colour.json").write_text(COLOUR)
+        write_exr(self.folder / "paint.exr", {"frequency": np.array([[1, 2, 1.5], [0.5, 1, 2]], "<f4"),
+                                              "orientation": np.array([[10, 350, 170], [20, 200, 290]], "<f4")})
         for options in PICTURES:
-            yield f"{options}: all", np.hstack([*self.draw("--size=24x16", "--seed=7", *options.split()).values()])
+            yield f"{options}: all", np.hstack([*self.draw(*["--size=24x16"][:"--size" not in options], "--seed=7", *options.split()).values()])
+        x, y = np.arange(23), np.arange(17)[:, None]
+        heights = (x * (23 - x) * (7 + y) - 9 * y * y).astype("<f4")
+        heights[5, 7:9] = -9999
+        write_exr(self.folder / "map.exr", {"Y": heights / 1024})
+        for options in EROSIONS:
+            self.succeed("erode", "map.exr", "-o", "out.exr", f"--nodata={-9999 / 1024}", *options.split())
+            yield f"erode {options}: all", np.hstack([*Exr(self.folder / "out.exr").channels.values()])
 
     def test_pixels_match_this_version(self):
         if os.environ.get("GABOR_GOLDEN") == "write":
