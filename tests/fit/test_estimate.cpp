@@ -12,6 +12,7 @@
 #include <complex>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 using namespace gabor::fit;
 using std::numbers::pi;
@@ -131,29 +132,36 @@ TEST_CASE("axis spectra equal the expected windowed spectra of a wave") {
 }
 
 TEST_CASE("axis spectra of averaged samples equal their expected windowed spectra") {
-    // The last scale has samples four pixels apart, each a weighted average of eight. The expected spectra
-    // are brute-force sums over every pair of pixels that contribute to two samples of a window.
-    const std::vector<SpectrumScale> scales = scales_of(2400, 2400);
-    REQUIRE(scales.size() == 3);
+    // Samples four pixels apart are weighted averages of eight pixels, those 16 pixels apart of eight such
+    // samples. The expected spectra are brute-force sums over every pair of pixels that contribute to two
+    // samples of a window.
+    const std::vector<SpectrumScale> scales = scales_of(4096, 4096);
+    REQUIRE(scales.size() == 4);
     // A scale's weights add up to the area of its whole grid, in cells of the first scale.
     for (const SpectrumScale& each : scales)
         CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
-    const SpectrumScale& scale = scales.back();
-    REQUIRE(scale.spacing == 4);
-    constexpr double triangle[8]{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,
-                                 7 / 32.0, 5 / 32.0, 3 / 32.0, 1 / 32.0};
-    for (const auto& [frequency, radius] : {std::pair(0.004, 150.0), std::pair(0.21, 40.0)}) {
+    const std::vector<double> triangle{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,
+                                       7 / 32.0, 5 / 32.0, 3 / 32.0, 1 / 32.0};
+    std::vector<double> twice(4 * 7 + 8);
+    for (std::size_t i = 0; i < 8; ++i)
+        for (std::size_t j = 0; j < 8; ++j)
+            twice[4 * i + j] += triangle[i] * triangle[j];
+    for (const auto& [index, frequency, radius] :
+         {std::tuple(2u, 0.004, 150.0), {2u, 0.21, 40.0}, {3u, 0.004, 150.0}}) {
+        const SpectrumScale& scale = scales[index];
+        REQUIRE(scale.spacing == (index == 2 ? 4 : 16));
+        const std::vector<double>& averaging = index == 2 ? triangle : twice;
         const AxisSpectrum spectrum = axis_spectrum(scale, 0, frequency, radius, false);
         std::vector<std::complex<double>> covariance; // of samples
         for (int t = -(scale.window - 1); t < scale.window; ++t) {
             std::complex<double> sum = 0;
-            for (int i = 0; i < 8; ++i)
-                for (int j = 0; j < 8; ++j) {
-                    const int lag = 4 * t + i - j;
-                    sum += triangle[i] * triangle[j] * kernel_correlation(lag / radius) *
+            for (std::size_t i = 0; i < averaging.size(); ++i)
+                for (std::size_t j = 0; j < averaging.size(); ++j) {
+                    const int lag = scale.spacing * t + static_cast<int>(i) - static_cast<int>(j);
+                    sum += averaging[i] * averaging[j] * kernel_correlation(lag / radius) *
                            std::exp(std::complex<double>(0, 2 * pi * frequency * lag));
                 }
-            covariance.push_back(4.0 * sum * scale.lag_window[0][std::abs(t)]);
+            covariance.push_back(static_cast<double>(scale.spacing) * sum * scale.lag_window[0][std::abs(t)]);
         }
         gabor::test::Largest largest;
         for (int k = 0; k < scale.grid; k += 5) {
@@ -200,7 +208,7 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
     const Wave noise{{0.2, 0.1}, {6, 6}, weights({0.8})};
     Wave swell{{0.004, 0}, {160, 90}, weights({0.6})};
     Exemplar exemplar = exemplar_of({noise, swell}, 1024);
-    exemplar.components.setIdentity();
+    exemplar.components *= 3; // a variance of 0.36
     exemplar.spectra = model({noise, swell}, 1, std::make_shared<const std::vector<SpectrumScale>>([] {
                                  std::vector<SpectrumScale> scales = scales_of(1024, 1024);
                                  for (std::size_t i = 1; i < scales.size(); ++i)
@@ -208,7 +216,15 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
                                          scales[i - 1].begin + std::ssize(scales[i - 1].frequencies);
                                  return scales;
                              }()));
+    // On the last scale, of samples 4 pixels apart, the autocorrelation exp(-t^2 / (2 14^2)).
+    for (const SpectrumScale& scale : *exemplar.spectra.scales) {
+        const auto t = Eigen::ArrayXd::LinSpaced(scale.lags(), 0, static_cast<double>(scale.lags() - 1));
+        const Eigen::VectorXd along = 0.6 * (t.square() / -392).exp().matrix();
+        exemplar.autocovariances.push_back({along * along.transpose(), along * along.transpose()});
+    }
     const FitError none = fit_error(exemplar, {noise, swell});
+    CHECK(exemplar.spectra.scales->back().spacing == 4);
+    CHECK(none.chance == Approx(std::sqrt(pi) * 14 * 4 / 1024).epsilon(0.05)); // Bartlett's formula
     CHECK(none.l1 < 1e-9);
     CHECK(none.low < 1e-9);
     CHECK(none.low_share == Approx(0.36).epsilon(0.02));
@@ -285,6 +301,47 @@ TEST_CASE("the spectrum estimated from white noise is flat and has the noise's v
             CHECK(power.minCoeff() > 0.5);
         }
     }
+}
+
+TEST_CASE("large windows count for long waves and around peaks, also across the edges of the half plane") {
+    constexpr int side = 448;
+    constexpr int grid = side / 2;
+    const std::vector<std::pair<int, int>> peaks{{49, -63}, {1, -70}, {grid / 2, 28}}; // cycles / grid
+    std::mt19937 generator(5);
+    std::normal_distribution<double> normal;
+    SpectraEstimate estimate(side, side, 1);
+    const std::vector<float> seen(side, 1);
+    for (int y = 0; y < side; ++y) {
+        std::vector<float> row;
+        for (int x = 0; x < side; ++x) {
+            double value = normal(generator);
+            for (const auto& [kx, ky] : peaks)
+                value += 0.2 * std::cos(2 * pi * (kx * x + ky * y) / grid + 1);
+            row.push_back(static_cast<float>(value));
+        }
+        estimate.add_row(row, seen);
+    }
+    const std::vector<SpectrumScale> scales = *estimate.spectra().scales;
+    REQUIRE(scales.size() == 2);
+    REQUIRE(scales[1].grid == grid);
+    std::vector<bool> chosen((grid / 2 + 1) * grid);
+    for (const auto& [x, y, multiplicity] : scales[1].frequencies)
+        chosen.at(static_cast<std::size_t>(y * (grid / 2 + 1) + x)) = true;
+    std::string wrong;
+    for (int y = 0; y < grid; ++y)
+        for (int x = 0; x <= grid / 2; ++x) {
+            int nearest = grid;
+            for (const auto& [kx, ky] : peaks)
+                for (const int sign : {1, -1})
+                    nearest = std::min(
+                        nearest, static_cast<int>(std::max(std::abs(std::remainder(x - sign * kx, grid)),
+                                                           std::abs(std::remainder(y - sign * ky, grid)))));
+            const bool is_long = std::max<double>(x, std::abs(std::remainder(y, grid))) <= 4 * grid / 64.0;
+            if (chosen[static_cast<std::size_t>(y * (grid / 2 + 1) + x)] != (is_long || nearest <= 3))
+                wrong += fmt::format(" ({}, {}, {})", x, y, nearest);
+        }
+    INFO("x, y, distance from a peak:" << wrong);
+    CHECK(wrong.empty());
 }
 
 TEST_CASE("a histogram's polynomial is increasing, matches the distribution, and has mean 0 and variance 1") {
@@ -371,6 +428,64 @@ TEST_CASE("only a quadratic trend is removed") {
             largest.see(left[x], right[x], 1e-5, [&] { return fmt::format("pixel {}, {}", x, y); });
     }
     largest.check("rows");
+
+    // Light whose mean is 1: two channels with the same texture, whose contrast follows the root of the
+    // light.
+    Trend light{width, height, Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 2), 0.5};
+    light.coefficients.col(0) << 0.3, 0.1, -0.2, 0.05, 0.07, -0.1;
+    light.coefficients.col(1) = 2 * light.coefficients.col(0);
+    gabor::test::Largest evened;
+    for (int y = 0; y < height; ++y) {
+        std::vector<float> row;
+        std::vector<double> expected;
+        for (int x = 0; x < width; ++x) {
+            const double here = trend((2.0 * x + 1) / width - 1, (2.0 * y + 1) / height - 1);
+            for (const double channel : {1.0, 2.0}) {
+                row.push_back(static_cast<float>(channel * (here + 1)));
+                expected.push_back(channel / std::sqrt(std::max(here / (0.3 - 0.05 / 3), 0.1)));
+            }
+        }
+        light.subtract(y, row);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            evened.see(row[i], expected[i], 1e-5, [&] { return fmt::format("value {} of row {}", i, y); });
+    }
+    evened.check("evened contrast");
+}
+
+TEST_CASE("warnings are given from their thresholds on") {
+    Exemplar exemplar = exemplar_of({{{0.2, 0.1}, {6, 6}, weights({1})}}, 256);
+    const auto warned = [&](const FitError& error) {
+        std::string text;
+        for (const std::string& line : warnings(exemplar, {{}, {}, error}))
+            text += line.substr(0, line.find(' ', 10)) + ";";
+        return text;
+    };
+    CHECK(warned({.l1 = 0.198, .low = 0.396, .low_share = 1, .autocorrelation = 0.198}).empty());
+    CHECK(warned({.l1 = 0.202}) == "The noise differs;");
+    CHECK(warned({.low = 0.404, .low_share = 1}) == "Large features;");
+    CHECK(warned({.low = 0.5, .low_share = 0.00202}) == "Large features;");
+    CHECK(warned({.low = 0.5, .low_share = 0.00198}).empty());
+    CHECK(warned({.autocorrelation = 0.202, .chance = 0.05}) == "Something in;");
+    CHECK(warned({.autocorrelation = 0.404, .chance = 0.1}) == "Something in;");
+    CHECK(warned({.autocorrelation = 0.396, .chance = 0.1}).empty());
+    exemplar.transparent = 0.25;
+    CHECK(warnings(exemplar, {}).front() == "Left out 25 % of the pixels: they are transparent.");
+}
+
+TEST_CASE("a preset's unit of length is the strongest lobe's radius, unless other lobes are far from it") {
+    struct Case {
+        Eigen::Vector2d first, second;
+        double unit;
+    };
+    for (const Case& radii : {Case{{16, 4}, {20, 3}, 8},
+                              {{4, 4}, {4, 320}, 4},
+                              {{1, 1.5}, {1, 1}, 2},
+                              {{128, 128}, {100, 0.75}, 75},
+                              {{9, 9}, {3000, 40}, 30}}) {
+        const std::vector<Wave> waves{{{0.2, 0.1}, radii.first, weights({0.8})},
+                                      {{0.1, 0.2}, radii.second, weights({0.6})}};
+        CHECK(request_of(exemplar_of(waves, 256), {waves, {}, {}}).scale == Approx(radii.unit));
+    }
 }
 
 TEST_CASE("structure distinguishes edges and ridges from waves and from normal noise") {

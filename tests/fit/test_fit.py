@@ -52,8 +52,13 @@ class FitTest(ProgramTest):
         alpha = np.hypot(*np.ogrid[-60:164, -200:100]) > 30
         grey = colour_noise(840)[:800, :, 0]
         grey = (0.2 + 0.3 * np.exp(4 * (grey - grey.mean()))) * np.linspace(0.4, 1.2, 840)  # unevenly lit
+        y, x = np.fft.fftfreq(260)[:, None], np.fft.fftfreq(300)
+        grain = np.random.default_rng(1).standard_normal((3, 260, 300))
+        wave = np.fft.ifft2(np.fft.fft2(grain[0]) * np.exp(-2e4 * (x - 0.11)**2 - 1e4 * (y + 0.04)**2))  # a wide kernel
+        wave /= wave.std()
+        yellow, blue = 0.5 + 0.1 * wave.real + 0.05 * grain[1], 0.4 + 0.05 * wave.imag + 0.03 * grain[2]
         texts = []
-        for values, lobes in ((np.dstack([colour, alpha]), "3"), (grey, "4")):
+        for values, lobes in ((np.dstack([colour, alpha]), "3"), (grey, "4"), (np.dstack([yellow, yellow, blue]), "3")):
             write_png(self.folder / "picture.png", values, bits=16)
             self.fit("picture.png", "--lobes", lobes, "--glsl", "sea.glsl")
             texts.append(self.said + (self.folder / "fit.json").read_text() + (self.folder / "sea.glsl").read_text())
@@ -113,9 +118,10 @@ class FitTest(ProgramTest):
         return np.frombuffer(values, "f4").reshape(height, width, 4)
 
     def test_glsl_draws_the_preset(self):
-        write_png(self.folder / "colour.png", colour_noise(256))
-        self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
+        write_png(self.folder / "a ~\n\x7f\\.png", colour_noise(256))
+        self.fit("a ~\n\x7f\\.png", "--lobes", "4", "--glsl", "sea.glsl")
         glsl = (self.folder / "sea.glsl").read_text()
+        self.assertEqual(glsl.partition(", by gabor fit. ")[0], "// sea.glsl: Gabor noise after a ~___.png")
         main = """
 out vec4 value;
 void main()
@@ -165,8 +171,14 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         sixteen = self.fit("deep.png", "--lobes", "2")["colour"]
         write_png(self.folder / "deep.png", exemplar, bits=16, interlaced=True)
         self.assertEqual(self.fit("deep.png", "--lobes", "2")["colour"], sixteen)
-        self.fit("grey.png", "--lobes", "2")
+        grey = self.fit("grey.png", "--lobes", "2")
         self.assertIn("grey", self.said)
+        write_png(self.folder / "one.png", exemplar[..., 0])
+        self.assertEqual(self.fit("one.png", "--lobes", "2"), grey)
+        for order in (0, 0, 1), (0, 1, 0):  # two channels are equal
+            write_png(self.folder / "two.png", np.stack([0.5 * exemplar[..., 0], 1 - 0.5 * exemplar[..., 1]], -1)[..., order])
+            self.fit("two.png", "--lobes", "1")
+            self.assertIn("colour", self.said)
         # At a hundredth of the contrast, rounding 16 bits to 8 would show.
         faint = self.fit("faint.png", "--lobes", "2")["colour"]
         ratio = np.array(faint["mixing"]) / np.array(sixteen["mixing"])
@@ -235,7 +247,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assert_refused(["nothing.png", "transparent"], "fit", "nothing.png", "-o", "fit.json")
 
     def test_fireflies_do_not_count(self):
-        picture = colour_noise(256).astype("f4")
+        picture = 24 * colour_noise(256).astype("f4") - 14  # also negative
         write_exr(self.folder / "calm.exr", {name: picture[..., c] for c, name in enumerate("RGB")})
         generator = np.random.default_rng(1)
         picture[generator.integers(0, 256, 100), generator.integers(0, 256, 100)] = 1000
@@ -252,11 +264,11 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         light = np.linspace(0.4, 1.6, 256)
         square = np.linspace(-1, 1, 256) ** 2
         write_png(self.folder / "even.png", even, bits=16)
-        write_png(self.folder / "lit.png", even * light, bits=16)
+        write_png(self.folder / "lit.png", even * light * np.linspace(0.7, 1.3, 256)[:, None], bits=16)
         write_png(self.folder / "vignetted.png", even * (1.3 - 0.45 * np.add.outer(square, square)), bits=16)
         write_png(self.folder / "added.png", even + 0.2 * light, bits=16)
         expected = self.fit("even.png", "--lobes", "4")["colour"]
-        # Uncorrected, light from 0.4 to 1.6 would multiply a normal texture's deviation by 1.06, and raise its kurtosis by 1.2.
+        # Uncorrected, light from 0.4 to 1.6 along one axis would multiply a normal texture's deviation by 1.06, and raise its kurtosis by 1.2.
         for name in ("lit", "vignetted", "added"):
             found = self.fit(f"{name}.png", "--lobes", "4")["colour"]
             self.assertLess(abs(found["mixing"][0][0] / expected["mixing"][0][0] - 1), 0.02, name)
@@ -268,6 +280,13 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
             write_png(self.folder / "waves.png", values, bits=16)
             self.fit("waves.png", "--lobes", "1")
             self.render("--tileable")
+
+    def test_the_lobes_of_stripes_are_not_too_narrow_for_a_preset(self):
+        stripes = np.broadcast_to(np.random.default_rng(1).uniform(0.2, 0.8, 256), (256, 256))
+        for values in (stripes, stripes.T):
+            write_png(self.folder / "stripes.png", values, bits=16)
+            self.fit("stripes.png", "--lobes", "1")
+            self.render("--size", "64x64")
 
     def test_a_grey_preset_has_the_histogram(self):
         values = colour_noise(256)[..., 0]
@@ -324,7 +343,8 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
             self.assert_refused(words, "fit", image, "-o", "fit.json")
         for words, options in ((["--lobes", "1 to 16"], ["--lobes", "17"]), (["--lobes", "1 to 16"], ["--lobes", "x"]),
                                (["--glsl", "texture.glsl"], ["--glsl", "texture.glsl"]),
-                               (["--glsl", "NAME.glsl"], ["--glsl", "a-b.glsl"])):
+                               *((["--glsl", "NAME.glsl"], ["--glsl", name]) for name in
+                                 ("a-b.glsl", "a_.glsl", "a__b.glsl", "gl_a.glsl", "1a.glsl", "_a.glsl", ".glsl", "a.frag"))):
             self.assert_refused(words, "fit", "good.png", "-o", "fit.json", *options)
         self.assert_refused(["-o", ".json"], "fit", "good.png", "-o", "fit.txt")
 

@@ -219,17 +219,20 @@ TEST_CASE("A channel that cannot be read is refused", "[exr]") {
     foreign.write_scanlines(path);
     CHECK_THAT(refusal(path, {"Y"}), Contains("there is no channel 'Y'; the file has Z, id"));
 
-    Imf::Header header({{0, 0}, {1, 1}}, {{0, 0}, {1, 1}});
-    header.channels().insert("Y", Imf::Channel(Imf::FLOAT, 2, 2));
-    {
-        const float pixel = 1.0f;
-        Imf::FrameBuffer buffer;
-        buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, &pixel, {0, 0}, 2, 2, 4, 4, 2, 2));
-        Imf::OutputFile file(path.c_str(), header);
-        file.setFrameBuffer(buffer);
-        file.writePixels(2);
+    for (const auto& [across, down] : {std::pair(2, 2), {1, 2}, {2, 1}}) {
+        Imf::Header header({{0, 0}, {1, 1}}, {{0, 0}, {1, 1}});
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT, across, down));
+        {
+            const std::array<float, 2> pixels{};
+            Imf::FrameBuffer buffer;
+            buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, pixels.data(), {0, 0}, 2, 2, 4,
+                                                static_cast<std::size_t>(across == 1 ? 8 : 4), across, down));
+            Imf::OutputFile file(path.c_str(), header);
+            file.setFrameBuffer(buffer);
+            file.writePixels(2);
+        }
+        CHECK_THAT(refusal(path), Contains("channel 'Y' is subsampled"));
     }
-    CHECK_THAT(refusal(path), Contains("channel 'Y' is subsampled"));
 }
 
 TEST_CASE("A file that is not a flat EXR is refused", "[exr]") {

@@ -1,4 +1,5 @@
 #include "image/exr.hpp"
+#include "image/metadata.hpp"
 #include "image/picture.hpp"
 
 #include "error.hpp"
@@ -9,7 +10,9 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <optional>
 
@@ -90,6 +93,48 @@ std::string with_orientation(std::string bytes, char orientation) {
     correct_checksum(bytes, "eXIf");
     return bytes;
 }
+
+std::string big_endian(std::size_t value, int size) {
+    std::string bytes;
+    while (size-- > 0)
+        bytes += static_cast<char>(value >> 8 * size);
+    return bytes;
+}
+
+std::string fixed(double value) {
+    return big_endian(static_cast<std::size_t>(std::lround(65536 * value)), 4);
+}
+
+/// The parts of an ICC profile, by default those of sRGB with tone curves of gamma 2.2.
+struct Icc {
+    const char* space = "RGB ";
+    std::string description = "desc\0\0\0\0\0\0\0\4mine"s;
+    std::string curve = "curv\0\0\0\0\0\0\0\1\2\x33"s;
+    std::array<double, 6> primaries = {0.4361, 0.2225, 0.3851, 0.7169, 0.1431, 0.0606}; // x and y
+
+    std::string foreign() const {
+        const auto xyz = [&](std::size_t i) {
+            return "XYZ \0\0\0\0"s + fixed(primaries[i]) + fixed(primaries[i + 1]) + fixed(0.1);
+        };
+        const std::array<std::pair<const char*, std::string>, 7> tags{
+            {{"none", "desc\0\0\0\0\0\0\0\5wrong"s},
+             {"desc", description},
+             {std::strcmp(space, "GRAY") == 0 ? "kTRC" : "rTRC", curve},
+             {"rXYZ", xyz(0)},
+             {"gXYZ", xyz(2)},
+             {"bXYZ", xyz(4)},
+             {"kXYZ", "end"}}};
+        std::string data;
+        std::string table = big_endian(tags.size(), 4);
+        for (const auto& [name, value] : tags) {
+            table += name + big_endian(132 + 12 * tags.size() + data.size(), 4) + big_endian(value.size(), 4);
+            data += value;
+        }
+        const std::string whole = std::string(16, '\0') + space + std::string(108, '\0') + table + data;
+        return gabor::image::foreign_profile(
+            {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
+    }
+};
 
 } // namespace
 
@@ -298,6 +343,23 @@ TEST_CASE("A picture is turned and mirrored as its EXIF data demand", "[picture]
             }
         CHECK(same);
     }
+    for (const bool low_first : {false, true}) { // the entry may be anywhere in a table anywhere
+        const auto number = [&](std::size_t value, int size) {
+            std::string text = big_endian(value, size);
+            if (low_first)
+                std::ranges::reverse(text);
+            return text;
+        };
+        const auto entry = [&](std::size_t tag, std::size_t value) {
+            return number(tag, 2) + number(3, 2) + number(1, 4) + number(value, 2) + number(7, 2);
+        };
+        const std::string exif = (low_first ? "II" : "MM") + number(42, 2) + number(300, 4) +
+                                 std::string(292, 'x') + number(3, 2) + entry(0x0111, 2) + entry(0x1201, 4) +
+                                 entry(0x0112, 5);
+        const std::span of(reinterpret_cast<const std::uint8_t*>(exif.data()), exif.size());
+        CHECK(gabor::image::exif_orientation(of) == 5);
+        CHECK(gabor::image::exif_orientation(of.first(316)) == 1);
+    }
 }
 
 TEST_CASE("Superfluous bytes before and after a JPEG's scans are ignored, others are damage", "[picture]") {
@@ -325,4 +387,47 @@ TEST_CASE("An ICC profile is named unless its colours are those of sRGB", "[pict
     CHECK(gabor::image::open_picture(example("profile.png"))->format().profile.empty());
     CHECK(profile("\x6f\xa0"sv, "\x9c\x18"sv) == "sRGB built-in");     // Adobe RGB's red
     CHECK(profile("\0\2\x66\x66"sv, "\0\1\0\0"sv) == "sRGB built-in"); // a gamma of 1 in place of 2.4
+}
+
+TEST_CASE("An ICC profile's name, tone curve and primaries are read in each of their encodings",
+          "[picture]") {
+    Icc gamma_1_8{.curve = "curv\0\0\0\0\0\0\0\1\1\xcd"s};
+    CHECK(gamma_1_8.foreign() == "mine");
+    gamma_1_8.description = "mluc\0\0\0\0\0\0\0\1\0\0\0\x0c"
+                            "enUS\0\0\0\6\0\0\0\x1e\x4d\x4d\0a\1\7\0c"s;
+    CHECK(gamma_1_8.foreign() == "a?c");
+    gamma_1_8.description = "desc\0\0\0\0\0\0\0\xff"s + std::string(79, '~') + "!!\n";
+    CHECK(gamma_1_8.foreign() == std::string(79, '~') + "!");
+    gamma_1_8.description = std::string(12, '\0');
+    CHECK(gamma_1_8.foreign() == "unnamed");
+
+    const auto word = [](double value) {
+        return big_endian(static_cast<std::size_t>(std::lround(65535 * value)), 2);
+    };
+    const std::string table = "curv\0\0\0\0\0\0\0"s, formula = "para\0\0\0\0"s;
+    for (const char* space : {"RGB ", "GRAY"}) { // half has the linear value 0.214
+        const auto is_srgb = [&](const std::string& curve) {
+            return Icc{.space = space, .curve = curve}.foreign().empty();
+        };
+        for (const double away : {0.0, -0.0097, 0.0097, -0.0103, 0.0103}) {
+            INFO(space << ", " << away);
+            const bool near = std::abs(away) < 0.01;
+            const double linear = 0.214 + away;
+            CHECK(is_srgb(table + "\2" + word(linear) + word(1)) == near);
+            CHECK(is_srgb(table + "\5" + word(0) + word(0.1) + word(linear) + word(0.5) + word(1)) == near);
+            CHECK(is_srgb(formula + "\0\0\0\0"s + fixed(std::log(linear) / std::log(0.5))) == near);
+            CHECK(is_srgb(formula + "\0\3\0\0"s + fixed(1) + fixed(0.3) + fixed(linear - 0.15)) == near);
+        }
+        CHECK(is_srgb(table + "\1\2\x33"));
+        CHECK_FALSE(is_srgb(table + "\0"s));
+    }
+    for (std::size_t i = 0; i < 6; ++i)
+        for (const double away : {-0.0097, 0.0097, -0.0103, 0.0103}) {
+            INFO(i << ", " << away);
+            Icc icc;
+            icc.primaries[i] += away;
+            CHECK(icc.foreign().empty() == (std::abs(away) < 0.01));
+            icc.primaries[i ^ 1] += std::copysign(0.001, away);
+            CHECK_FALSE(icc.foreign().empty());
+        }
 }

@@ -170,4 +170,11 @@ TEST_CASE("a spectrum of zeros has no peak") {
     const auto summary = summarize(periodogram_of([](double, double) { return 0; }), lobe_side);
     CHECK(summary.power == 0);
     CHECK(!summary.peak);
+    const auto longest = summarize(
+        periodogram_of([](double fx, double fy) { return std::abs(fx) == 1 && fx == fy; }), lobe_side);
+    REQUIRE(longest.peak);
+    CHECK(longest.peak->frequency ==
+          Approx(std::numbers::sqrt2 / lobe_side)); // the longest waves with a peak
+    CHECK(
+        !summarize(periodogram_of([](double fx, double fy) { return fx == 0 && fy == 0; }), lobe_side).peak);
 }
