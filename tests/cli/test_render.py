@@ -1,15 +1,19 @@
 """Tests what each option of `gabor render` does to the file."""
 
+import contextlib
 import json
 import os
+import pty
 import re
+import subprocess
+import time
 import unittest
 
 import numpy as np
 
 from exr import Exr, write_exr
 from png import read_grey_png
-from program import RenderTest, gabor, start
+from program import PROGRAM, RenderTest, gabor, start
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
@@ -194,6 +198,25 @@ class Periods(RenderTest):
 
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
+
+    def test_a_terminal_shows_progress(self):
+        own, other = pty.openpty()
+        started = time.monotonic()
+        with open(own, newline="", errors="replace") as terminal:
+            with os.fdopen(other, "w") as end:
+                run = subprocess.Popen([PROGRAM, "render", "-o", "out.exr", "--frames=5", "--view=ocean", "--size=200x100"], cwd=self.folder, stderr=end)
+            shown = ""
+            with contextlib.suppress(OSError):  # at the end of the program
+                while text := terminal.read(1):
+                    shown += text
+        self.assertEqual(run.wait(), 0)
+        if time.monotonic() - started < 1:
+            self.skipTest("the program ended before it shows progress, half a second after its start")
+        shares = [int(share) for share in re.findall(r"\rrendering (\d+) %, \d+ s left", shown)]
+        self.assertGreater(len(shares), 1, shown)
+        self.assertEqual(shares, sorted(shares))
+        self.assertLessEqual(shares[-1], 100)
+        self.assertTrue(shown.endswith("\r\x1b[K"), shown)  # the line is cleared
 
     def test_frames_loop(self):
         self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--time=0.25")
