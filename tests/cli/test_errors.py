@@ -22,7 +22,7 @@ class ErrorTest(ProgramTest):
 class Values(ErrorTest):
     def test_size(self):
         for text in ("0", "65537", "0x1", "1x0", "0x0", "-1x5", "5x-1", "65537x1", "1x65537"):
-            self.refuse_render(["1 to 65536"], f"--size={text}")
+            self.refuse_render(["--size", "1 to 65536"], f"--size={text}")
         for text in ("1024x", "x1024", "1024x1024x", "1024*1024", " 8x8", "8x8 ", "8X8", "8.0x8", "+8x8", "axb",
                      "x", "99999999999x1", "1x99999999999999999999999"):
             self.refuse_render(["--size", text, "WIDTHxHEIGHT"], f"--size={text}")
