@@ -25,6 +25,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -62,8 +63,11 @@ class Values {
         const gabor::vulkan::Pass pass(device, set.spirv, {1});
         gabor::vulkan::Job job(device, pass, {buffer_});
         const gabor::vulkan::Job::Dispatch dispatch{{}, {groups}};
+        const auto start = std::chrono::steady_clock::now();
         job.submit(std::span(&dispatch, 1));
-        job.wait();
+        const double seconds = job.wait();
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        CHECK((seconds > elapsed.count() / 1e4 && seconds < 1.01 * elapsed.count()) != std::isnan(seconds));
     }
 
     const std::vector<std::string>& calls() const { return calls_; }
