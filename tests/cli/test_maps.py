@@ -221,6 +221,8 @@ class Maps(RenderTest):
         for name in "RGB":
             np.testing.assert_allclose(coarse[name], means(fine[name]), rtol=1e-4)
         slopes = [fine[f"normal.{axis}"].astype(float) / fine["normal.z"] for axis in "xy"]
+        for axis, slope in zip("xy", slopes):
+            np.testing.assert_allclose(coarse[f"normal.{axis}"] / coarse["normal.z"], means(slope), rtol=0, atol=1e-4)
         lost = sum(means(slope**2) - means(slope)**2 for slope in slopes)
         np.testing.assert_allclose(coarse["roughness"]**4, np.minimum(means(fine["roughness"]**4) + 0.61 * lost, 1), rtol=1e-3)
         error, careless = [], []
