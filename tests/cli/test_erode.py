@@ -141,6 +141,8 @@ class Erode(ProgramTest):
         for others in '{"extent": 4}', '{"elevation": [2, 1], "extent": [4, 4]}', '{"elevation": [1, 2], "extent": [0, 0]}':
             (self.folder / "out.png.json").write_text(others) # another program's
             self.assertIn("guess", self.succeed("erode", "out.png", "-o", "same.exr"))
+        (self.folder / "out.png.json").write_text('{"elevation": [0, 0.1], "extent": [0.5, 0.5]}') # a narrow map
+        self.assertNotIn("guess", self.succeed("erode", "out.png", "-o", "same.exr"))
         heights = self.eroded("--size=96x96", "--extent=400", "--octaves=0", map="map.r16")["height"]
         np.testing.assert_allclose(heights, 400 / 8 * levels / 65535, atol=1e-5)
 
@@ -174,6 +176,7 @@ class Erode(ProgramTest):
             for option, factor, by_default in ("gully_frequency", 1.5, 1.5), ("crease_rounding", 4, 0.1), ("gain", 1, 0.5):
                 self.assertAlmostEqual(float(found[option]), factor * preset.get(option, by_default), msg=(name, option))
             self.assertEqual(float(found["onset"]), 2 * 0.637)
+            self.assertEqual(found["seed"], "0")
 
     def test_both_axes_are_alike(self):
         """A map that is not square and the same map with x and y exchanged."""
@@ -356,6 +359,9 @@ class Erode(ProgramTest):
             scale = json.loads((folder / "masks.json").read_text())
             self.assertEqual([scale["width"], scale["height"]], [width, height])
             self.assertEqual(scale["masks"], {**dict.fromkeys(scale["masks"], [0, 1]), "slope": [0, 90], "erosion": scale["masks"]["erosion"]})
+            low, high = scale["masks"]["erosion"]
+            self.assertEqual(low, -high)
+            self.assertGreaterEqual(high, np.abs(out["erosion"]).max())
             np.testing.assert_allclose(scale["extent"], [500 / SIDE * width, 500 / SIDE * height])
             self.assertEqual({path.name for path in folder.iterdir()},
                              {"masks.exr", "masks.json", *(f"{name}.png" for name in scale["masks"])})

@@ -122,7 +122,7 @@ class Joined(TextureTest):
         for level in ("5", "-1", "x"):
             self.assert_refused([f"--level '{level}'", "from 0 to 4 at this size"], "render", "--size=32x16",
                                 f"--level={level}", "-o", "new.exr")
-        self.assert_refused(["power of two"], "render", "--size=32x17", "--level=1", "-o", "new.exr")
+        self.assert_refused(["power of two", "32 x 17 pixels"], "render", "--size=32x17", "--level=1", "-o", "new.exr")
         self.assert_refused(["--texture and --level"], "render", "--texture", "--level=1", "--size=32x16", "-o", "new.exr")
 
 
@@ -159,7 +159,8 @@ class Refused(TextureTest):
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
         for size, region in (("256x256", "32,0,128,32"), ("256x256", "0,16,32,32"), ("256x256", "0,64,32,128"),  # not at a tile
                              ("96x64", "0,0,64,64"), ("96x64", "0,0,64,32"), ("64x96", "0,0,64,64"), ("64x96", "0,0,32,64")):  # no whole tiles
-            self.assert_refused(["equal tiles"], "render", "--texture", f"--size={size}", f"--region={region}", "-o", "new.exr")
+            self.assert_refused(["equal tiles", f"--region {region}:", f"picture of {size.replace('x', ' x ')} pixels"], "render",
+                                "--texture", f"--size={size}", f"--region={region}", "-o", "new.exr")
         for output in ("-o", "--png"):
             self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", output, "new.png")
         self.assert_refused(["--texture"], "render", "--half", "--size=64x64", "-o", "new.exr")
