@@ -204,11 +204,10 @@ class Distributions(StatsTest):
         self.assertAlmostEqual(self.stats()["expected_variance"] / left, 1, delta=0.002)
 
     def test_unknown_variances(self):
-        for name, radius in (("wide", 0.49), ("narrow", 0.51)):  # a pixel is wider and narrower than a kernel radius
-            (self.folder / f"{name}.json").write_text(json.dumps([{"frequency": 1, "radius": radius}]))
-        for name in ("wide", "narrow"):
-            self.render("--filter", f"--lobes={name}.json", scale=2)
-            self.assertEqual(self.stats()["expected_variance"] is None, name == "wide")
+        for radius, stretch, unknown in ((0.51, 1, False), (0.49, 1, True), (0.6, 0.8, True)):  # a pixel is wider than a kernel radius
+            (self.folder / "lobes.json").write_text(json.dumps([{"frequency": 1, "radius": radius, "stretch": stretch}]))
+            self.render("--filter", "--lobes=lobes.json", scale=2)
+            self.assertEqual(self.stats()["expected_variance"] is None, unknown, (radius, stretch))
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
                                  ("gradient.x", ["--gradient", "--recipe=paper"]), ("gradient.y", ["--gradient", "--recipe=lattice-2"])):
