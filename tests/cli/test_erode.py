@@ -282,9 +282,9 @@ class Erode(ProgramTest):
         values = np.round(3000 * hills(96, 70)) - 1000
         layouts = [*itertools.product((None, (16, 32), (128, 128)), (False, True))]
         for number, kind in enumerate(("<i2", ">i2", "<f4", ">f4", "<u2", ">u2")):
-            for tile, deflate in layouts[number], layouts[number - 3]:
+            for big, (tile, deflate) in enumerate((layouts[number], layouts[number - 3])):
                 wanted = values + 1000 if "u" in kind else values
-                write_tiff(self.folder / "map.tif", wanted.astype(kind), tile, deflate)
+                write_tiff(self.folder / "map.tif", wanted.astype(kind), tile, deflate, big)
                 found = base("--elevation=0,65535") if "u" in kind else base()
                 np.testing.assert_allclose(found, wanted, rtol=1e-6, err_msg=f"{kind} {tile} {deflate}")
         levels = PIL.Image.fromarray((values + 1000).astype("<u2"))
@@ -402,6 +402,8 @@ class Erode(ProgramTest):
         (self.folder / "damaged.tif").write_bytes((self.folder / "map.tif").read_bytes().replace(b"\x78\x9c", b"\x78\x9d"))
         write_tiff(self.folder / "bytes.tif", np.ones((4, 4), "u1"))
         write_tiff(self.folder / "colours.tif", np.ones((4, 4), "<u2"), t277=("H", 3))
+        for name, tag in ("inverted", {"t262": ("H", 0)}), ("turned", {"t274": ("H", 3)}), ("untyped", {"t339": ("H", 4)}):
+            write_tiff(self.folder / f"{name}.tif", np.ones((4, 4), "<u2"), **tag)
         write_tiff(self.folder / "long.tif", np.ones((100000, 4), "<u2"))
         write_tiff(self.folder / "heavy.tif", np.ones((16, 16), "<u2"), (16, 16), t323=("I", 1 << 28))
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
@@ -441,6 +443,9 @@ class Erode(ProgramTest):
             ("'damaged.tif'", "damaged"): ("damaged.tif", "-o", "out.exr"),
             ("'bytes.tif'", "16-bit integers or 32-bit floats"): ("bytes.tif", "-o", "out.exr"),
             ("'colours.tif'", "one channel"): ("colours.tif", "-o", "out.exr"),
+            ("'inverted.tif'", "from black to white"): ("inverted.tif", "-o", "out.exr"),
+            ("'turned.tif'", "upper left corner"): ("turned.tif", "-o", "out.exr"),
+            ("'untyped.tif'", "integers"): ("untyped.tif", "-o", "out.exr"),
             ("'long.tif'", "4 x 100000", "65536 x 65536"): ("long.tif", "-o", "out.exr"),
             ("'heavy.tif'", "256 MiB"): ("heavy.tif", "-o", "out.exr"),
             ("--elevation", "integers"): ("map.tif", "--elevation=0,1", "-o", "out.png"),

@@ -10,9 +10,9 @@ FORMATS = {"u": 1, "i": 2, "f": 3}
 TYPES = {"s": 2, "H": 3, "I": 4, "d": 12}
 
 
-def write_tiff(path, values, tile=None, deflate=False, **tags):
+def write_tiff(path, values, tile=None, deflate=False, big=False, **tags):
     """Writes an array of height x width, in its own type and byte order. tile: the size of tiles as (height, width), in place of
-    strips. tags: t33550=("d", 1, 2, 3) adds a tag with these numbers, and t42113=("s", b"-1") one with text."""
+    strips. big: writes a BigTIFF. tags: t33550=("d", 1, 2, 3) adds a tag with these numbers, and t42113=("s", b"-1") one with text."""
     (height, width), order = values.shape, "<>"[values.dtype.str[0] == ">"]
     rows, columns = tile or (40, width)
     if tile:
@@ -20,7 +20,8 @@ def write_tiff(path, values, tile=None, deflate=False, **tags):
     blocks = [values[y:y + rows, x:x + columns].tobytes() for y in range(0, height, rows) for x in range(0, width, columns)]
     blocks = [zlib.compress(block) for block in blocks] if deflate else blocks
     sizes = [len(block) for block in blocks]
-    places = [8 + sum(sizes[:i]) for i in range(len(sizes))]
+    begin, word = (16, "Q") if big else (8, "I")
+    places = [begin + sum(sizes[:i]) for i in range(len(sizes))]
     layout = {322: ("I", columns), 323: ("I", rows), 324: ("I", *places), 325: ("I", *sizes)} if tile else {
         278: ("I", rows), 273: ("I", *places), 279: ("I", *sizes)}
     fields = {256: ("I", width), 257: ("I", height), 258: ("H", 8 * values.itemsize), 259: ("H", 8 if deflate else 1),
@@ -31,10 +32,11 @@ def write_tiff(path, values, tile=None, deflate=False, **tags):
     for tag, (kind, *numbers) in sorted(fields.items()):
         value = numbers[0] + b"\0" if kind == "s" else struct.pack(f"{order}{len(numbers)}{kind}", *numbers)
         count = len(value) if kind == "s" else len(numbers)
-        place = value.ljust(4, b"\0")
-        if len(value) > 4:
-            place = struct.pack(order + "I", 8 + len(data))
+        place = value.ljust(begin // 2, b"\0")
+        if len(value) > begin // 2:
+            place = struct.pack(order + word, begin + len(data))
             data += value + b"\0" * (len(value) % 2)
-        entries += struct.pack(order + "HHI", tag, TYPES[kind], count) + place
-    start = {"<": b"II*\0", ">": b"MM\0*"}[order] + struct.pack(order + "I", 8 + len(data))
-    pathlib.Path(path).write_bytes(start + data + struct.pack(order + "H", len(fields)) + entries + bytes(4))
+        entries += struct.pack(order + "HH" + word, tag, TYPES[kind], count) + place
+    start = {"<": b"II", ">": b"MM"}[order] + struct.pack(order + ("HHHQ" if big else "HI"),
+                                                          *((43, 8, 0) if big else (42,)), begin + len(data))
+    pathlib.Path(path).write_bytes(start + data + struct.pack(order + ("Q" if big else "H"), len(fields)) + entries + bytes(begin // 2))

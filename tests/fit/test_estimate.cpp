@@ -234,6 +234,51 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
     CHECK(error.low == Approx(0.5).epsilon(0.01)); // the swell is the only long wave
 }
 
+TEST_CASE("lobes are added until chance can explain the error") {
+    struct Limit {
+        int width, height;
+        double radius; // of the second lobe
+        double FitError::*error;
+        double least;
+    };
+    for (const Limit& limit : {Limit{160, 128, 3, &FitError::l1, 0.44 * 64 / std::sqrt(160 * 128)},
+                               {1 << 14, 1 << 13, 3, &FitError::l1, 0.44 / 28},
+                               {160, 128, 30, &FitError::l2, 0.38 * 64 / std::sqrt(160 * 128)},
+                               {1 << 14, 1 << 13, 60, &FitError::l2, 0.0475}})
+        for (const double share : {0.98, 1.02}) {
+            const Wave first{{0.2, 0.1}, {8, 8}, weights({1})};
+            Wave second{{-0.15, 0.3}, {limit.radius, limit.radius}, weights({0.3})};
+            Exemplar exemplar;
+            for (int i = 0; i < 20; ++i) {
+                exemplar = exemplar_of({first, second}, limit.width);
+                second.weight *= std::sqrt(share * limit.least / (fit_error(exemplar, {first}).*limit.error));
+            }
+            exemplar.height = limit.height;
+            INFO(limit.width << " pixels, radius " << limit.radius << ", " << share << " of the limit");
+            CHECK((fit(exemplar, 16, [](double) {}).waves.size() == 1) == (share < 1));
+        }
+}
+
+TEST_CASE("frequencies near 0 become the lowest of a preset") {
+    const Exemplar exemplar = exemplar_of({{{0, 0}, {2, 8}, weights({1})}}, 1024);
+    const auto lobe = request_of(exemplar, fit(exemplar, 1, [](double) {})).lobes.at(0);
+    CHECK(lobe.frequency == Approx(0.0011));
+    CHECK(lobe.orientation == 0);
+}
+
+TEST_CASE("the squared error counts the spectra of two channels twice") {
+    const Wave known{{0.12, 0.05}, {10, 10}, weights({0.7, 0.4, -0.3})};
+    Wave other = known;
+    other.weight = weights({0.6, -0.5, 0.6});
+    const Exemplar exemplar = exemplar_of({known}, 1024);
+    const auto matrix = [&](const Wave& wave) -> Eigen::MatrixXcd {
+        const Eigen::VectorXcd colour = exemplar.components * wave.weight;
+        return colour * colour.adjoint();
+    };
+    CHECK(fit_error(exemplar, {other}).l2 ==
+          Approx((matrix(other) - matrix(known)).norm() / matrix(known).norm()).epsilon(1e-6));
+}
+
 TEST_CASE("phases between channels are found from cross-spectra") {
     using namespace std::complex_literals;
     const std::vector<Wave> waves{{{0.12, 0.05}, {10, 10}, weights({0.7, 0.5i, -0.3 + 0.4i})},

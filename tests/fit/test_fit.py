@@ -258,6 +258,17 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         bright = self.fit("bright.exr", "--lobes", "4")["colour"]
         self.assertIn("0.153 % of the pixels: they are far brighter", self.said)
         self.assert_same_colours(bright, calm, 0.02)
+        # Pixels on either side of the limit; quantiles are rounded down to 8 bits.
+        noise = colour_noise(160)
+        noise /= np.ptp(np.quantile(noise.max(-1), (0.05, 0.95)))
+        for low, high, apart in (-1.5, 6, 0.05), (-6, -1.5, 0.05), (0.3, 0.4, 0.005):
+            picture = (high - low) * (noise - np.quantile(noise.max(-1), 0.05)) + low
+            limit = max(high + 4 * (high - low), 1)
+            picture[5:155:10, 3] = (1 - apart) * limit
+            picture[5:155:10, 80] = (1 + apart) * limit
+            write_exr(self.folder / "limit.exr", {name: picture[..., c].astype("f4") for c, name in enumerate("RGB")})
+            self.fit("limit.exr", "--lobes", "1")
+            self.assertIn("0.0586 % of the pixels: they are far brighter", self.said, (low, high))
 
     def test_uneven_lighting_does_not_count(self):
         even = 0.5 * colour_noise(256)[..., 0]
