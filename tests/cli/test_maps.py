@@ -186,6 +186,7 @@ class Maps(RenderTest):
             self.assertEqual(described("--preset=walnut", f"--size={size[0]}x{size[1]}"), (*size, True, scale * 32 / min(width, height)))
         self.assertEqual(described("--preset=hills", "--size=64x32"), (64, 32, True, 8))  # its shorter side is the least
         self.assertEqual(described("--preset=walnut", "--size=32", "--scale=9"), (32, 32, True, 9))
+        self.assertEqual(described("--preset=walnut", "--size=32", "--scale=40"), (32, 32, True, 40))  # a tile of any size
         self.succeed("render", "--material=wood", "--size=40x30", "--scale=10", "-o", "earlier.exr")
         self.assertEqual(described("--like=earlier.exr"), (40, 30, False, 10))
 
