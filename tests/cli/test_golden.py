@@ -42,7 +42,7 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
             "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60",
-            # meadows and a low sun in front of a raised eye, clay, a low sun above the sea, and the foam of a storm from nearby
+            # meadows under a low sun, seen from above; clay; a low sun above the sea; the foam of a storm, close up
             "--view=landscape --preset=hills --pitch=0 --yaw=20 --light-azimuth=200 --light-elevation=3 --scale=6",
             "--view=landscape --preset=badlands --scale=6",
             "--view=ocean --wind=9 --altitude=30 --pitch=0 --zoom=1.5 --yaw=250 --light-azimuth=70.8 --light-elevation=0.8",

@@ -216,7 +216,7 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
                                          scales[i - 1].begin + std::ssize(scales[i - 1].frequencies);
                                  return scales;
                              }()));
-    // On the last scale, of samples 4 pixels apart, the autocorrelation exp(-t^2 / (2 14^2)).
+    // On the last scale, whose samples are 4 pixels apart, the autocorrelation is exp(-t^2 / (2 14^2)).
     for (const SpectrumScale& scale : *exemplar.spectra.scales) {
         const auto t = Eigen::ArrayXd::LinSpaced(scale.lags(), 0, static_cast<double>(scale.lags() - 1));
         const Eigen::VectorXd along = 0.6 * (t.square() / -392).exp().matrix();
@@ -474,8 +474,7 @@ TEST_CASE("only a quadratic trend is removed") {
     }
     largest.check("rows");
 
-    // Light whose mean is 1: two channels with the same texture, whose contrast follows the root of the
-    // light.
+    // Two channels show the same texture under light of mean 1. Its contrast follows the root of the light.
     Trend light{width, height, Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 2), 0.5};
     light.coefficients.col(0) << 0.3, 0.1, -0.2, 0.05, 0.07, -0.1;
     light.coefficients.col(1) = 2 * light.coefficients.col(0);

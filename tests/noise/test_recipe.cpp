@@ -60,7 +60,7 @@ TEST_CASE("in space, a wave for all directions replaces those of an isotropic sp
     const noise::Lobe lobe{
         .frequency = 2.5, .frequency_spread = 0.4, .orientation_spread = 90, .radius = 0.5, .stretch = 4};
     const std::vector<noise::Wave> three = noise::waves(std::array{lobe}, 9, true);
-    REQUIRE(three.size() == 3); // 64 in the index of an odd number of waves
+    REQUIRE(three.size() == 3); // an odd number of waves has seeds of its own
     for (int i = 0; i < 3; ++i) {
         const noise::Wave& wave = three[static_cast<std::size_t>(i)];
         CHECK(wave.isotropic);

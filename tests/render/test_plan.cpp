@@ -49,7 +49,7 @@ std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
     return values_of<passes::Line>(plan(request, viewport).tables.at(0));
 }
 
-// The push constants of a plan that draws pixel by pixel, and the positions of its pixels, if it stores them.
+// Returns the push constants of a plan that draws pixel by pixel, and the positions that it stores.
 std::vector<Bytes> seen(const Request& request, Viewport viewport) {
     viewport.blocks = Blocks::none;
     const Plan made = plan(request, viewport, {3, 2, std::vector<float>(12, 1), true});
@@ -63,7 +63,7 @@ std::vector<Bytes> seen(const Request& request, Viewport viewport) {
     return all;
 }
 
-// The push constants of a view of 300 x 200 pixels and of 200 x 300 pixels.
+// Returns the push constants of a view of 300 x 200 pixels and of the same view of 200 x 300.
 template <typename Push>
 std::array<Push, 2> wide_and_tall(const char* view, const char* material = "none") {
     const auto push = [&](const char* width, const char* height) {
@@ -213,7 +213,7 @@ TEST_CASE("a coarse view shows what a smaller picture does, and a zoomed one wha
         small.width = 160;
         small.height = 100;
         Request half = enlarged(0.5);
-        if (in_perspective(request)) // whose bottom row has the scale
+        if (in_perspective(request)) // the scale is that of the bottom row
             half.scale = request.scale * (100 - 0.5 - sky_rows(100)) / (200 - 0.5 - sky_rows(200));
         CHECK((seen(request, coarse) == seen(half, small)));
     }
