@@ -123,7 +123,7 @@ std::vector<float> maps_from(std::span<const float> averaged) {
         const float down = normal[1];
         // The variance of the lost slopes, summed over both axes.
         const float lost = std::max(normal[2] - right * right - down * down, 0.0f);
-        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + 0.61f * lost, 1.0f), 0.25f);
+        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + 0.5f * lost, 1.0f), 0.25f);
         const float length = std::sqrt(right * right + down * down + 1);
         normal[0] = -right / length;
         normal[1] = down / length;

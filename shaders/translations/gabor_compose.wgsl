@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 6e0ccc2bab6972c4.
+// naga 30.0.1 made it from GLSL with the digest 234d1e58b6aa3ffb.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -83,17 +83,17 @@ fn gabor_boards_default() -> GaborBoards {
 // normal distribution functions with the standard deviation 1 / scale.
 fn gabor_impl_joint(x: f32, gap: f32, scale: f32) -> vec2<f32> {
     var t_12: vec2<f32>;
-    var density_9: vec2<f32>;
+    var density_8: vec2<f32>;
     t_12 = clamp((scale * vec2<f32>((x + (0.5f * gap)), (x - (0.5f * gap)))), vec2(-10f), vec2(10f));
     let _e20 = t_12;
     let _e22 = t_12;
-    density_9 = exp(((-0.5f * _e20) * _e22));
+    density_8 = exp(((-0.5f * _e20) * _e22));
     let _e26 = t_12;
     let _e28 = gabor_impl_below(_e26.x);
     let _e29 = t_12;
     let _e31 = gabor_impl_below(_e29.y);
-    let _e35 = density_9;
-    let _e37 = density_9;
+    let _e35 = density_8;
+    let _e37 = density_8;
     return vec2<f32>((_e28 - _e31), ((0.3989423f * scale) * (_e35.x - _e37.y)));
 }
 
@@ -133,15 +133,15 @@ fn gabor_impl_board_index(index: vec2<f32>, count: vec2<f32>) -> vec2<f32> {
 }
 
 fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, boards: GaborBoards, seed: u32) -> GaborBoard {
-    var size_4: vec2<f32>;
-    var count_13: vec2<f32> = vec2(0f);
+    var size_5: vec2<f32>;
+    var count_14: vec2<f32> = vec2(0f);
     var rows_5: bool;
     var shift: f32;
     var local_84: f32;
     var lines: f32;
     var rest: f32;
     var local_85: vec2<f32>;
-    var at_13: vec2<f32>;
+    var at_14: vec2<f32>;
     var line_6: vec2<f32>;
     var local_86: vec2<f32>;
     var cell_5: vec2<f32>;
@@ -160,21 +160,21 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var along_4: vec2<f32>;
     var free: vec2<f32>;
     var dark_2: f32;
-    size_4 = vec2<f32>(boards.width, boards.reach);
-    let _e13 = size_4;
-    let _e15 = size_4;
+    size_5 = vec2<f32>(boards.width, boards.reach);
+    let _e13 = size_5;
+    let _e15 = size_5;
     rows_5 = (_e13.x > _e15.y);
     shift = boards.shift;
     if (period.x > 0f) {
         {
-            let _e24 = size_4;
-            count_13 = max(floor(((period / _e24) + vec2(0.5f))), vec2(1f));
+            let _e24 = size_5;
+            count_14 = max(floor(((period / _e24) + vec2(0.5f))), vec2(1f));
             let _e33 = rows_5;
             if _e33 {
-                let _e34 = count_13;
+                let _e34 = count_14;
                 local_84 = _e34.y;
             } else {
-                let _e36 = count_13;
+                let _e36 = count_14;
                 local_84 = _e36.x;
             }
             let _e39 = local_84;
@@ -193,27 +193,27 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
             shift = (floor(((_e55 * _e56) + 0.5f)) / _e61);
             let _e63 = rows_5;
             if _e63 {
-                let _e64 = count_13;
+                let _e64 = count_14;
                 let _e66 = lines;
                 local_85 = vec2<f32>(_e64.x, _e66);
             } else {
                 let _e68 = lines;
-                let _e69 = count_13;
+                let _e69 = count_14;
                 local_85 = vec2<f32>(_e68, _e69.y);
             }
             let _e73 = local_85;
-            count_13 = _e73;
-            let _e74 = count_13;
-            size_4 = (period / _e74);
+            count_14 = _e73;
+            let _e74 = count_14;
+            size_5 = (period / _e74);
         }
     }
-    let _e76 = size_4;
-    at_13 = (p / _e76);
-    let _e79 = at_13;
-    let _e81 = count_13;
+    let _e76 = size_5;
+    at_14 = (p / _e76);
+    let _e79 = at_14;
+    let _e81 = count_14;
     let _e82 = gabor_impl_board_index(floor(_e79), _e81);
     line_6 = _e82;
-    let _e84 = at_13;
+    let _e84 = at_14;
     let _e85 = rows_5;
     if _e85 {
         let _e86 = shift;
@@ -225,16 +225,16 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
         local_86 = vec2<f32>(0f, fract((_e94 * _e95.x)));
     }
     let _e101 = local_86;
-    at_13 = (_e84 + _e101);
-    let _e103 = at_13;
+    at_14 = (_e84 + _e101);
+    let _e103 = at_14;
     cell_5 = floor(_e103);
     let _e106 = cell_5;
-    let _e107 = count_13;
+    let _e107 = count_14;
     let _e108 = gabor_impl_board_index(_e106, _e107);
     index_15 = _e108;
-    let _e110 = at_13;
+    let _e110 = at_14;
     let _e111 = cell_5;
-    let _e116 = size_4;
+    let _e116 = size_5;
     local_87 = (((_e110 - _e111) - vec2(0.5f)) * _e116);
     let _e119 = gabor_impl_salt(seed);
     salt_16 = _e119;
@@ -261,19 +261,19 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     back_1 = vec2<f32>(_e156.x, -(_e158.y));
     wide_3 = (0.25f * ((dx * dx) + (dy * dy)));
     let _e169 = wide_3;
-    let _e170 = size_4;
-    let _e171 = size_4;
+    let _e170 = size_5;
+    let _e171 = size_5;
     boards_wide = min((_e169 / (_e170 * _e171)), vec2(4f));
     let _e180 = boards_wide;
     let _e182 = boards_wide;
     mean_9 = exp((-19.739208f * max(_e180.x, _e182.y)));
     let _e188 = local_87;
-    let _e190 = size_4;
+    let _e190 = size_5;
     let _e193 = wide_3;
     let _e195 = gabor_impl_joints(_e188.x, _e190.x, boards.gap, _e193.x);
     across_4 = _e195;
     let _e197 = local_87;
-    let _e199 = size_4;
+    let _e199 = size_5;
     let _e202 = wide_3;
     let _e204 = gabor_impl_joints(_e197.y, _e199.y, boards.gap, _e202.y);
     along_4 = _e204;

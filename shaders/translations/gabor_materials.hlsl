@@ -55,8 +55,7 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 
 // float gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     0.61 of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in
-//     relative entropy.
+//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -371,18 +370,23 @@ float3 gabor_impl_turned_square(float3 m, float2 x, float2 y) {
 
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
-// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+// A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
+// filter, and the period, 0 for none. Warps move it and bend the steps.
 struct GaborPixel {
     float2 p;
+    float2 x;
+    float2 y;
     float2 dx;
     float2 dy;
     float2 period;
 };
 
-GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, float2 period)
+GaborPixel GaborPixel_of(float2 p, float2 x, float2 y, float2 dx, float2 dy, float2 period)
 {
     GaborPixel made;
     made.p = p;
+    made.x = x;
+    made.y = y;
     made.dx = dx;
     made.dy = dy;
     made.period = period;
@@ -390,41 +394,20 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, float2 period)
 }
 
 GaborPixel gabor_impl_pixel_at(float2 p, float2 dx, float2 dy, float2 period) {
-    return GaborPixel_of(period.x > 0.0 ? p - period * floor(p / period) : p, dx, dy, period);
-}
-
-// A position that warps have moved, and its derivatives along x and y of p.
-struct GaborWarped {
-    float2 p;
-    float2 x;
-    float2 y;
-    float2 period;
-};
-
-GaborWarped GaborWarped_of(float2 p, float2 x, float2 y, float2 period)
-{
-    GaborWarped made;
-    made.p = p;
-    made.x = x;
-    made.y = y;
-    made.period = period;
-    return made;
-}
-
-GaborWarped gabor_impl_unwarped(GaborPixel pixel) {
-    return GaborWarped_of(pixel.p, float2(1.0, 0.0), float2(0.0, 1.0), pixel.period);
+    p -= period.x > 0.0 ? period * floor(p / period) : (float2)(0.0);
+    return GaborPixel_of(p, float2(1.0, 0.0), float2(0.0, 1.0), dx, dy, period);
 }
 
 // A position along the warped x or y axis, with derivatives.
-float3 gabor_impl_along_x(GaborWarped at) {
+float3 gabor_impl_along_x(GaborPixel at) {
     return float3(at.p.x, at.x.x, at.y.x);
 }
-float3 gabor_impl_along_y(GaborWarped at) {
+float3 gabor_impl_along_y(GaborPixel at) {
     return float3(at.p.y, at.x.y, at.y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-GaborPlace gabor_impl_place(GaborWarped at, float2 density) {
+GaborPlace gabor_impl_place(GaborPixel at, float2 density) {
     if (at.period.x > 0.0)
         return gabor_place_tiled(density * at.p, density * at.period);
     return gabor_place_at(density * at.p);
@@ -464,29 +447,27 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
-// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
-float4 gabor_impl_radii(GaborPixel pixel, GaborWarped at, float2 density) {
-    return float4(density * (pixel.dx.x * at.x + pixel.dx.y * at.y), density * (pixel.dy.x * at.x + pixel.dy.y * at.y));
-}
-
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes.
-GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, float2 density, float2 amplitude, uint seed, int index) {
-    float4 steps = gabor_impl_radii(pixel, at, density);
-    amplitude /= 1.0 + 0.82246703 * min(dot(steps, steps), 1.0e6);
+// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
+// slopes of the filtered height, which leave out this change, would be wrong.
+GaborPixel gabor_impl_warp(GaborPixel at, float2 density, float2 amplitude, uint seed, int index) {
+    float4 steps = float4(density * at.dx, density * at.dy);
+    float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
+    amplitude /= 1.0 + 0.82246703 * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
-    return GaborWarped_of(at.p + amplitude * float2(field.quadrature, field.noise),
-                       at.x + at.x.x * along_x + at.x.y * along_y,
-                       at.y + at.y.x * along_x + at.y.y * along_y, at.period);
+    return GaborPixel_of(at.p + amplitude * float2(field.quadrature, field.noise),
+                      at.x + at.x.x * along_x + at.x.y * along_y, at.y + at.y.x * along_x + at.y.y * along_y,
+                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
+GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
     float2 y = float2(-turn.y, turn.x);
@@ -506,8 +487,9 @@ GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
         x = period.x * float2(other.y, -other.x) / at.period;
         y = period.y * float2(-whole.y, whole.x) / at.period;
     }
-    return GaborWarped_of(float2(dot(x, at.p), dot(y, at.p)), float2(dot(x, at.x), dot(y, at.x)),
-                       float2(dot(x, at.y), dot(y, at.y)), period);
+    return GaborPixel_of(float2(dot(x, at.p), dot(y, at.p)), float2(dot(x, at.x), dot(y, at.x)),
+                      float2(dot(x, at.y), dot(y, at.y)), float2(dot(x, at.dx), dot(y, at.dx)),
+                      float2(dot(x, at.dy), dot(y, at.dy)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -518,10 +500,9 @@ float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     return (float2)(count);
 }
 
-// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
-float gabor_impl_steps(GaborPixel pixel, float3 a) {
-    float2 steps = float2(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
-    return dot(steps, steps);
+// What a pixel keeps of a sine along x that repeats `count` times per unit.
+float gabor_impl_sine_kept(GaborPixel at, float count) {
+    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -530,14 +511,14 @@ float gabor_impl_steps(GaborPixel pixel, float3 a) {
 // `amplitude`, to pair `slot` of a material.
 struct GaborLayer {
     int slot;
-    GaborWarped at;
+    GaborPixel at;
     float2 density;
     float2 wave;
     float amplitude;
     uint seed;
 };
 
-GaborLayer GaborLayer_of(int slot, GaborWarped at, float2 density, float2 wave, float amplitude, uint seed)
+GaborLayer GaborLayer_of(int slot, GaborPixel at, float2 density, float2 wave, float amplitude, uint seed)
 {
     GaborLayer made;
     made.slot = slot;
@@ -550,17 +531,17 @@ GaborLayer GaborLayer_of(int slot, GaborWarped at, float2 density, float2 wave, 
 }
 
 // A layer of frequency 0.
-GaborLayer gabor_impl_spots_layer(int slot, GaborWarped at, float2 density, uint seed, int index) {
+GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, float2 density, uint seed, int index) {
     return GaborLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_lobe_seed(seed, index));
 }
 
-GaborLayer gabor_impl_waves_layer(int slot, GaborWarped at, float2 density, float frequency, float orientation, uint seed,
+GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, float2 density, float frequency, float orientation, uint seed,
                                   int index) {
     return GaborLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-GaborLayer gabor_impl_octave(GaborWarped at, float2 density, int i, int count, float gain, uint seed) {
+GaborLayer gabor_impl_octave(GaborPixel at, float2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     return GaborLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0), pow(gain, float(i)) * rsqrt(power),
                       gabor_lobe_seed(seed, i));
@@ -810,8 +791,8 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uin
 
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, float4 steps) {
-    float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
+    float3 a = 6.5797363 * gabor_impl_footprint(layer.density * layer.at.dx, layer.density * layer.at.dy).covariance;
     float3 inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     float3 whole = float3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
@@ -819,26 +800,25 @@ GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, float4 st
     return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
 
-GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
-    float4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    GaborField field = gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, steps);
+    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, layer.density * layer.at.dx,
+                                                                layer.density * layer.at.dy, layer.wave, layer.seed));
 }
 
-GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
-    float4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed), steps);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, layer.density * layer.at.dx,
+                                                                     layer.density * layer.at.dy, layer.seed));
 }
 
-void gabor_impl_add_filtered_spots(inout GaborPairs pairs, GaborLayer layer, GaborPixel pixel) {
-    GaborPair pair = gabor_impl_filtered_spots(layer, pixel);
-    if (layer.slot == 0) pairs.a = gabor_impl_plus(pairs.a, pair, layer.amplitude);
-    else if (layer.slot == 1) pairs.b = gabor_impl_plus(pairs.b, pair, layer.amplitude);
-    else if (layer.slot == 2) pairs.c = gabor_impl_plus(pairs.c, pair, layer.amplitude);
-    else if (layer.slot == 3) pairs.d = gabor_impl_plus(pairs.d, pair, layer.amplitude);
-    else pairs.e = gabor_impl_plus(pairs.e, pair, layer.amplitude);
+void gabor_impl_add_filtered_spots(inout GaborPairs sum, GaborLayer layer) {
+    GaborPair pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) sum.a = gabor_impl_plus(sum.a, pair, layer.amplitude);
+    else if (layer.slot == 1) sum.b = gabor_impl_plus(sum.b, pair, layer.amplitude);
+    else if (layer.slot == 2) sum.c = gabor_impl_plus(sum.c, pair, layer.amplitude);
+    else if (layer.slot == 3) sum.d = gabor_impl_plus(sum.d, pair, layer.amplitude);
+    else sum.e = gabor_impl_plus(sum.e, pair, layer.amplitude);
 }
 #endif
 
@@ -948,25 +928,23 @@ GaborMaterial gabor_impl_material(float3 colour, float3 height, float3 lost, flo
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-GaborWarped gabor_impl_board(GaborPixel pixel, GaborWood wood, uint seed) {
+GaborPixel gabor_impl_board(GaborPixel pixel, GaborWood wood, uint seed) {
     float2 bends = float2(0.43, 0.018) * wood.waviness;
-    GaborWarped board = gabor_impl_unwarped(pixel);
-    board = gabor_impl_warp(pixel, board, float2(1.1, 0.24), float2(bends.x, 0.0), seed, 0);
-    return gabor_impl_warp(pixel, board, float2(4.0, 0.9), float2(bends.y, 0.0), seed, 1);
+    GaborPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(bends.x, 0.0), seed, 0);
+    return gabor_impl_warp(board, float2(4.0, 0.9), float2(bends.y, 0.0), seed, 1);
 }
 
 // Pores, fibres and tone.
-GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborWarped board, uint seed) {
+GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborPixel board, uint seed) {
     if (i == 2) return gabor_impl_spots_layer(2, board, float2(3.5, 0.35), seed, 5);
-    return gabor_impl_spots_layer(i, gabor_impl_unwarped(pixel), i == 0 ? float2(90.0, 4.5) : float2(150.0, 2.0), seed,
-                                  3 + i);
+    return gabor_impl_spots_layer(i, pixel, i == 0 ? float2(90.0, 4.5) : float2(150.0, 2.0), seed, 3 + i);
 }
 
-GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood wood, GaborPairs of, uint seed) {
-    board = gabor_impl_warp(pixel, board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), seed, 2);
-    // the number of rings up to here
-    float3 years = gabor_impl_repeated(pixel, wood.rings, 1.0).x * gabor_impl_along_x(board);
-    float kept = 0.97 * exp(-min(4.9348022 * gabor_impl_steps(pixel, years), 40.0)); // amplitude of the rings' wave
+GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, uint seed) {
+    board = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), seed, 2);
+    float rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
+    float3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
+    float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     float3 ring = gabor_impl_rise(years, float3(kept, 0.0, 0.0));
     float3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
@@ -985,21 +963,21 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood woo
 
 GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPixel board = gabor_impl_board(pixel, wood, seed);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
     of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
-    return gabor_impl_wood(pixel, board, wood, of, seed);
+    return gabor_impl_wood(board, wood, of, seed);
 }
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
-float gabor_impl_pixel_spread(GaborPixel pixel, float3 x, float3 y) {
-    return sqrt(0.125 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)));
+// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+float gabor_impl_sample_spread(float2 dx, float2 dy) {
+    return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
 
 // The number of samples for that standard deviation.
@@ -1007,16 +985,11 @@ int gabor_impl_samples(float spread) {
     return spread > 0.001 ? 16 : 1;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
-float2 gabor_impl_sample(GaborPixel pixel, int i, int count) {
+// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
+float2 gabor_impl_sample(float2 dx, float2 dy, int i, int count) {
     float2 at = 0.125 * float2(float(i), float((7 * i + 10) % 16)) - 0.9375;
     at *= 0.5566 + 0.507 * at * at;
-    return count > 1 ? at.x * pixel.dx + at.y * pixel.dy : (float2)(0.0);
-}
-
-// A value with derivatives, at an offset.
-float3 gabor_impl_moved(float3 a, float2 offset) {
-    return float3(a.x + dot(a.yz, offset), a.yz);
+    return count > 1 ? at.x * dx + at.y * dy : (float2)(0.0);
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -1028,12 +1001,12 @@ void gabor_impl_average(inout float3 height, inout float3 lost, int count, float
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), (float2)(0.7), (float2)(0.02 * fabric.unevenness), seed, 0);
+GaborPixel gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
+    return gabor_impl_warp(pixel, (float2)(0.7), (float2)(0.02 * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, float2 count, uint seed) {
+GaborLayer gabor_impl_fabric_layer(int i, GaborPixel cloth, float2 count, uint seed) {
     float2 density = i == 0 ? float2(0.7 * count.x, 1.1) : i == 1 ? float2(1.1, 0.7 * count.y)
                  : i == 2 ? float2(14.0, 2.0) * count : float2(2.0, 14.0) * count;
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
@@ -1062,10 +1035,11 @@ float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float bend, 
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 count, GaborFabric fabric, GaborPairs of) {
+GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabric fabric, GaborPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
     float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
-    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.3, 0.7, spread);
+    float2 dx = count * cloth.dx, dy = count * cloth.dy;
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.3, 0.7, spread);
     at_x += 0.13 * uneven * of.a.first;
     at_y += 0.13 * uneven * of.b.first;
     float2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09 * uneven)
@@ -1076,8 +1050,8 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(pixel, i, samples);
-        float3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float2 offset = gabor_impl_sample(dx, dy, i, samples);
+        float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
         float2 thread_ = floor(float2(x.x, y.x));
         x.x -= thread_.x + 0.5;
         y.x -= thread_.y + 0.5;
@@ -1101,9 +1075,9 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
     height *= unit;
     lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
+        float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
         float3 at = cords * gabor_impl_along_x(cloth);
-        float damped = exp(-min(4.9348022 * gabor_impl_steps(pixel, at), 20.0)), half_cord = 0.5 * damped;
+        float damped = gabor_impl_sine_kept(cloth, cords), half_cord = 0.5 * damped;
         float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * frac(at.x);
         float cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
         float depth = 0.3 * fabric.relief / cords, swing = depth * 6.2831853;
@@ -1117,38 +1091,38 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
 
 GaborMaterial gabor_fabric_at(float2 p, float2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
     of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
     of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
-    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+    return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
-GaborWarped gabor_impl_twill(GaborPixel pixel, uint seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), (float2)(0.8), (float2)(0.008), seed, 0);
+GaborPixel gabor_impl_twill(GaborPixel pixel, uint seed) {
+    return gabor_impl_warp(pixel, (float2)(0.8), (float2)(0.008), seed, 0);
 }
 
 // The fibres of tows along y and x.
-GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, float2 count, uint seed) {
+GaborLayer gabor_impl_tow_layer(int i, GaborPixel cloth, float2 count, uint seed) {
     return gabor_impl_spots_layer(i, cloth, (i == 0 ? float2(20.0, 0.6) : float2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, float2 count, GaborCarbonFibre fibres,
-                                      GaborPairs of) {
+GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, float2 count, GaborCarbonFibre fibres, GaborPairs of) {
     float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
-    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    float2 dx = count * cloth.dx, dy = count * cloth.dy;
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
     float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
     float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(pixel, i, samples);
-        float3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        float2 offset = gabor_impl_sample(dx, dy, i, samples);
+        float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
         float turn = 4.0 * frac(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
         x.x -= floor(x.x);
         y.x -= floor(y.x);
@@ -1156,61 +1130,57 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, float
         float3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
         along.x += frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
         across.x -= 1.0;
-        float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
+        float cube = across.x * across.x * across.x, low = 1.0 - cube * across.x, arch = low * low;
         float2 wave = float2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
-        float3 bulge = float3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz);
+        float3 bulge = float3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
         bulge = 0.16 * bulge + 0.006 * (first ? of.a.first : of.b.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
-    // The bulge's mean is 0.5093, and its slope's mean square, over tows along x and y, 2.72.
-    gabor_impl_average(height, lost, samples, kept, 0.081488, 0.0256 * 2.72 * float3(count * count, 0.0));
-    colour = lerp(0.340523 * (warp + weft), colour / float(samples), kept);
+    // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    gabor_impl_average(height, lost, samples, kept, 0.072432, 0.0256 * 2.154 * float3(count * count, 0.0));
+    colour = lerp(0.3221275 * (warp + weft), colour / float(samples), kept);
     lost = unit * unit * (lost + 1.8e-5 * (of.a.lost + of.b.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
 GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fibres, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    GaborPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
-    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
 // Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
-GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
+GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
     float2 bends = float2(0.07, 0.014) * leather.wrinkles;
-    GaborWarped skin = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), (float2)(0.9), (float2)(bends.x), seed, 0);
-    return gabor_impl_warp(pixel, skin, (float2)(4.0), (float2)(bends.y), seed, 1);
+    GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(bends.x), seed, 0);
+    return gabor_impl_warp(skin, (float2)(4.0), (float2)(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped skin, GaborLeather leather, uint seed) {
-    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), (float2)(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), (float2)(0.8), seed, 5);
+GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, uint seed) {
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
-// The wave vector of a layer in turns per unit of p.
-float2 gabor_impl_turns(GaborLayer layer) {
-    float2 wave = layer.density * layer.wave;
-    return float2(dot(wave, layer.at.x), dot(wave, layer.at.y));
-}
-
-// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
-GaborPair gabor_impl_moved_waves(GaborPair pair, float2 turns, float2 offset) {
-    float2 turn = gabor_impl_wave(dot(turns, offset)), whole = 6.2831853 * turns;
-    float3 a = gabor_impl_moved(pair.first + float3(0.0, pair.second.x * whole), offset);
-    float3 b = gabor_impl_moved(pair.second - float3(0.0, pair.first.x * whole), offset);
+// Waves at an offset: their envelope moves along its slope, and the phase turns.
+GaborPair gabor_impl_moved_waves(GaborPair waves, GaborPixel at, float2 wave, float2 offset, float turns) {
+    float2 turn = gabor_impl_wave(turns);
+    float3 phase = 6.2831853 * float3(0.0, dot(wave, at.x), dot(wave, at.y));
+    float3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
+    a.x += dot(a.yz, offset);
+    b.x += dot(b.yz, offset);
     float3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
-    return GaborPair_of(first - float3(0.0, second.x * whole), second + float3(0.0, first.x * whole), 0.0, (float3)(0.0));
+    return GaborPair_of(first - second.x * phase, second + first.x * phase, 0.0, (float3)(0.0));
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
@@ -1223,16 +1193,20 @@ void gabor_impl_crest(GaborPair waves, out float3 cosine, out float3 sine) {
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, float2 turns_a, float2 turns_b, GaborPairs of) {
-    float spread = gabor_impl_pixel_spread(pixel, float3(0.0, turns_a), float3(0.0, turns_b));
+GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather leather, GaborPairs of) {
+    float2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
+    float2 dx = float2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
+    float2 dy = float2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
+    float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-30.0 * spread * spread);
     float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0;
     float3 height = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(pixel, i, samples);
+        float2 offset = gabor_impl_sample(dx, dy, i, samples);
+        float2 further = bend * gabor_impl_sample(pixel.dx, pixel.dy, i, samples);
         float3 a, b, sine_a, sine_b;
-        gabor_impl_crest(gabor_impl_moved_waves(of.c, turns_a, offset), a, sine_a);
-        gabor_impl_crest(gabor_impl_moved_waves(of.d, turns_b, offset), b, sine_b);
+        gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         float3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
         float3 pebble = gabor_impl_step(-1.45, -0.55, cells + 0.1 * of.a.second);
@@ -1253,33 +1227,30 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, float2 
 
 GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leather, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
-    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
-    of.c = gabor_impl_waves_pair(a);
-    of.d = gabor_impl_waves_pair(b);
-    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
+GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
     float4 bends = float4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
-    GaborWarped stone = gabor_impl_unwarped(pixel);
-    stone = gabor_impl_warp(pixel, stone, (float2)(1.1), (float2)(bends.x), seed, 0);
-    stone = gabor_impl_warp(pixel, stone, (float2)(4.0), (float2)(bends.y), seed, 1);
-    stone = gabor_impl_warp(pixel, stone, (float2)(13.0), (float2)(bends.z), seed, 2);
-    return gabor_impl_warp(pixel, stone, (float2)(40.0), (float2)(bends.w), seed, 3);
+    GaborPixel stone = gabor_impl_warp(pixel, (float2)(1.1), (float2)(bends.x), seed, 0);
+    stone = gabor_impl_warp(stone, (float2)(4.0), (float2)(bends.y), seed, 1);
+    stone = gabor_impl_warp(stone, (float2)(13.0), (float2)(bends.z), seed, 2);
+    return gabor_impl_warp(stone, (float2)(40.0), (float2)(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, uint seed) {
+GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, uint seed) {
     if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), (float2)(75.0), seed, 9);
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 9);
     float3 vein = i == 4 ? float3(1.9, 0.95, -0.45) : i == 5 ? float3(0.95, 0.85, 0.65)
               : i == 6 ? float3(4.5, 0.95, 0.95) : float3(13.0, 0.9, 0.2);
     return gabor_impl_waves_layer(2, stone, (float2)(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
@@ -1308,7 +1279,7 @@ void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, 
 
 GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
@@ -1323,15 +1294,15 @@ GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble, uint 
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_dune(GaborPixel pixel, uint seed) {
-    GaborWarped dune = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), (float2)(0.8), (float2)(0.15), seed, 0);
-    return gabor_impl_warp(pixel, dune, (float2)(3.0), (float2)(0.02), seed, 1);
+GaborPixel gabor_impl_dune(GaborPixel pixel, uint seed) {
+    GaborPixel dune = gabor_impl_warp(pixel, (float2)(0.8), (float2)(0.15), seed, 0);
+    return gabor_impl_warp(dune, (float2)(3.0), (float2)(0.02), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
-GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborWarped dune, GaborSand sand, uint seed) {
-    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), (float2)(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), (float2)(75.0), seed, 3);
+GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, uint seed) {
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
@@ -1362,7 +1333,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
 
 GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPixel dune = gabor_impl_dune(pixel, seed);
     GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1376,10 +1347,9 @@ GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) 
 
 // Five sizes of streaks, and six octaves of patina.
 GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
-    GaborWarped sheet = gabor_impl_unwarped(pixel);
-    if (i >= 5) return gabor_impl_octave(sheet, (float2)(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
     float2 density = float2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
-    return gabor_impl_spots_layer(0, sheet, density, seed, i);
+    return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
@@ -1430,10 +1400,10 @@ GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushedMetal 
 
 GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (frac(0.0955 + 0.763932 * float(i)) - 0.5);
-    GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
+    GaborPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
-    at = gabor_impl_warp(pixel, at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
+    at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
 }
 
@@ -1469,20 +1439,20 @@ GaborMaterial gabor_scratches_at(float2 p, float2 period, GaborScratches scratch
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_hide(GaborPixel pixel, uint seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), (float2)(0.9), (float2)(0.14), seed, 0);
+GaborPixel gabor_impl_hide(GaborPixel pixel, uint seed) {
+    return gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.14), seed, 0);
 }
 
 float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
-    GaborPlace place = gabor_impl_place(gabor_impl_unwarped(pixel), (float2)(0.6));
+    GaborPlace place = gabor_impl_place(pixel, (float2)(0.6));
     return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborWarped skin, float direction, GaborZebra zebra,
+GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel skin, float direction, GaborZebra zebra,
                                   uint seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), seed, 3);
-    if (i == 1) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), (float2)(1.2), seed, 4);
+    if (i == 1) return gabor_impl_spots_layer(1, pixel, (float2)(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, (float2)(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
@@ -1491,7 +1461,7 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
     // where it is small, a constant softness would blur the edge
     float intensity = length(float2(of.c.first.x, of.c.second.x));
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
-                                  of.c.removed + ragged * ragged * of.a.removed, 0.0,
+                                  of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
     float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
                + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
@@ -1501,7 +1471,7 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
 
 GaborMaterial gabor_zebra_at(float2 p, float2 period, GaborZebra zebra, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    GaborPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
@@ -1512,17 +1482,16 @@ GaborMaterial gabor_zebra_at(float2 p, float2 period, GaborZebra zebra, uint see
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_trunk(GaborPixel pixel, uint seed) {
-    GaborWarped trunk = gabor_impl_unwarped(pixel);
-    trunk = gabor_impl_warp(pixel, trunk, float2(0.8, 0.35), float2(0.22, 0.1), seed, 0);
-    trunk = gabor_impl_warp(pixel, trunk, float2(3.0, 1.6), float2(0.05, 0.05), seed, 1);
-    return gabor_impl_warp(pixel, trunk, (float2)(10.0), (float2)(0.013), seed, 2);
+GaborPixel gabor_impl_trunk(GaborPixel pixel, uint seed) {
+    GaborPixel trunk = gabor_impl_warp(pixel, float2(0.8, 0.35), float2(0.22, 0.1), seed, 0);
+    trunk = gabor_impl_warp(trunk, float2(3.0, 1.6), float2(0.05, 0.05), seed, 1);
+    return gabor_impl_warp(trunk, (float2)(10.0), (float2)(0.013), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, uint seed) {
-    GaborWarped at = trunk;
-    if (i > 1 && i < 6) at = gabor_impl_unwarped(pixel); // the trunk's warps would stretch small spots into smears
+GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, uint seed) {
+    GaborPixel at = trunk;
+    if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
@@ -1557,7 +1526,7 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
 
 GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
@@ -1569,18 +1538,17 @@ GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint seed) 
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
-    GaborWarped rock = gabor_impl_unwarped(pixel);
+GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
     float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folds;
-    rock = gabor_impl_warp(pixel, rock, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
-    rock = gabor_impl_warp(pixel, rock, float2(1.6, 2.6), folds.yz, seed, 1);
-    return gabor_impl_warp(pixel, rock, float2(7.0, 10.0), (float2)(folds.w), seed, 2);
+    GaborPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
+    rock = gabor_impl_warp(rock, float2(1.6, 2.6), folds.yz, seed, 1);
+    return gabor_impl_warp(rock, float2(7.0, 10.0), (float2)(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, uint seed) {
+GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, uint seed) {
     if (i < 4)
-        return gabor_impl_octave(gabor_impl_unwarped(pixel), float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
                  : i == 6 ? float2(0.25, 2.8333333) : float2(0.6, 8.3333333);
     return gabor_impl_spots_layer(i - 3, rock, density * float2(1.0, strata.layers), seed, i - 1);
@@ -1606,7 +1574,7 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
 
 GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
@@ -1622,69 +1590,67 @@ GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint 
 #ifdef GABOR_FILTER_HLSL
 GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPixel board = gabor_impl_board(pixel, wood, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed), pixel);
-    return gabor_impl_wood(pixel, board, wood, of, seed);
+        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
+    return gabor_impl_wood(board, wood, of, seed);
 }
 
 GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborFabric fabric, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
-    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
+    return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
 GaborMaterial gabor_carbon_fibre_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborCarbonFibre fibres,
                                              uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    GaborPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed), pixel);
-    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborLeather leather, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
-    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
-    of.c = gabor_impl_waves_pair(a);
-    of.d = gabor_impl_waves_pair(b);
-    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborMarble marble, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
     for (int j = 4; j < 8; ++j) {
         GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
-        gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer, pixel));
+        gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
     }
     return material;
 }
 
 GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborSand sand, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPixel dune = gabor_impl_dune(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    of.c = gabor_impl_filtered_waves(ripples, pixel);
+    of.c = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
@@ -1695,7 +1661,7 @@ GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, fl
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
         GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
-        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer, pixel));
+        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
 }
@@ -1705,30 +1671,29 @@ GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2
     GaborMaterial sum = GaborMaterial_of((float3)(1.0), 0.0, (float2)(0.0), 0.0, 0.0, (float3)(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
-                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed),
-                                                           pixel));
+                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
     return gabor_impl_scratches(scratches, sum);
 }
 
 GaborMaterial gabor_zebra_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborZebra zebra, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    GaborPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed), pixel);
-    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
+    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBark bark, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     for (int j = 6; j < 8; ++j) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed), pixel);
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
         if (j == 6) of.c = pair;
         else of.d = pair;
     }
@@ -1737,10 +1702,10 @@ GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 
 GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborStrata strata, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 8; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
 #endif
@@ -1749,7 +1714,7 @@ GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, float2 pe
 
 float gabor_roughness(GaborMaterial material) {
     float alpha = material.roughness * material.roughness;
-    return sqrt(sqrt(min(alpha * alpha + 0.61 * (material.lost.x + material.lost.y), 1.0)));
+    return sqrt(sqrt(min(alpha * alpha + 0.5 * (material.lost.x + material.lost.y), 1.0)));
 }
 
 GaborWood gabor_wood_default() {
@@ -1778,7 +1743,7 @@ GaborZebra gabor_zebra_default() {
     return GaborZebra_of(float3(0.70, 0.64, 0.54), float3(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7);
 }
 GaborBark gabor_bark_default() {
-    return GaborBark_of(float3(0.20, 0.145, 0.10), float3(0.025, 0.014, 0.008), float3(0.10, 0.13, 0.045), 2.21, 0.35, 0.13,
+    return GaborBark_of(float3(0.20, 0.145, 0.10), float3(0.025, 0.014, 0.008), float3(0.10, 0.13, 0.045), 2.21, 0.35, 0.08,
                      0.9);
 }
 GaborCarbonFibre gabor_carbon_fibre_default() {

@@ -46,8 +46,7 @@ struct GaborMaterial {
 
 // float gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     0.61 of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in
-//     relative entropy.
+//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -222,40 +221,32 @@ GABOR_INLINE gabor_vec3 gabor_impl_turned_square(gabor_vec3 m, gabor_vec2 x, gab
 
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
-// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+// A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
+// filter, and the period, 0 for none. Warps move it and bend the steps.
 struct GaborPixel {
     gabor_vec2 p;
+    gabor_vec2 x;
+    gabor_vec2 y;
     gabor_vec2 dx;
     gabor_vec2 dy;
     gabor_vec2 period;
 };
 
 GABOR_INLINE GaborPixel gabor_impl_pixel_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
-    return GaborPixel{period.x > 0.0f ? p - period * gabor_cpp_floor(p / period) : p, dx, dy, period};
-}
-
-// A position that warps have moved, and its derivatives along x and y of p.
-struct GaborWarped {
-    gabor_vec2 p;
-    gabor_vec2 x;
-    gabor_vec2 y;
-    gabor_vec2 period;
-};
-
-GABOR_INLINE GaborWarped gabor_impl_unwarped(GaborPixel pixel) {
-    return GaborWarped{pixel.p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), pixel.period};
+    p -= period.x > 0.0f ? period * gabor_cpp_floor(p / period) : gabor_vec2(0.0f);
+    return GaborPixel{p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), dx, dy, period};
 }
 
 // A position along the warped x or y axis, with derivatives.
-GABOR_INLINE gabor_vec3 gabor_impl_along_x(GaborWarped at) {
+GABOR_INLINE gabor_vec3 gabor_impl_along_x(GaborPixel at) {
     return gabor_vec3(at.p.x, at.x.x, at.y.x);
 }
-GABOR_INLINE gabor_vec3 gabor_impl_along_y(GaborWarped at) {
+GABOR_INLINE gabor_vec3 gabor_impl_along_y(GaborPixel at) {
     return gabor_vec3(at.p.y, at.x.y, at.y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-GABOR_INLINE GaborPlace gabor_impl_place(GaborWarped at, gabor_vec2 density) {
+GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel at, gabor_vec2 density) {
     if (at.period.x > 0.0f)
         return gabor_place_tiled(density * at.p, density * at.period);
     return gabor_place_at(density * at.p);
@@ -295,29 +286,27 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
     return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
-// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
-GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborPixel pixel, GaborWarped at, gabor_vec2 density) {
-    return gabor_vec4(density * (pixel.dx.x * at.x + pixel.dx.y * at.y), density * (pixel.dy.x * at.x + pixel.dy.y * at.y));
-}
-
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes.
-GABOR_INLINE GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
-    gabor_vec4 steps = gabor_impl_radii(pixel, at, density);
-    amplitude /= 1.0f + 0.82246703f * gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f);
+// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
+// slopes of the filtered height, which leave out this change, would be wrong.
+GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
+    gabor_vec4 steps = gabor_vec4(density * at.dx, density * at.dy);
+    float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
+    amplitude /= 1.0f + 0.82246703f * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
-    return GaborWarped{at.p + amplitude * gabor_vec2(field.quadrature, field.noise),
-                       at.x + at.x.x * along_x + at.x.y * along_y,
-                       at.y + at.y.x * along_x + at.y.y * along_y, at.period};
+    return GaborPixel{at.p + amplitude * gabor_vec2(field.quadrature, field.noise),
+                      at.x + at.x.x * along_x + at.x.y * along_y, at.y + at.y.x * along_x + at.y.y * along_y,
+                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GABOR_INLINE GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
+GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
     gabor_vec2 y = gabor_vec2(-turn.y, turn.x);
@@ -337,8 +326,9 @@ GABOR_INLINE GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
         x = period.x * gabor_vec2(other.y, -other.x) / at.period;
         y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborWarped{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)),
-                       gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y, at.y)), period};
+    return GaborPixel{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)),
+                      gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y, at.y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
+                      gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -349,10 +339,9 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float
     return gabor_vec2(count);
 }
 
-// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
-GABOR_INLINE float gabor_impl_steps(GaborPixel pixel, gabor_vec3 a) {
-    gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(a.yz(), pixel.dx), gabor_cpp_dot(a.yz(), pixel.dy));
-    return gabor_cpp_dot(steps, steps);
+// What a pixel keeps of a sine along x that repeats `count` times per unit.
+GABOR_INLINE float gabor_impl_sine_kept(GaborPixel at, float count) {
+    return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0f));
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -361,7 +350,7 @@ GABOR_INLINE float gabor_impl_steps(GaborPixel pixel, gabor_vec3 a) {
 // `amplitude`, to pair `slot` of a material.
 struct GaborLayer {
     int slot;
-    GaborWarped at;
+    GaborPixel at;
     gabor_vec2 density;
     gabor_vec2 wave;
     float amplitude;
@@ -369,17 +358,17 @@ struct GaborLayer {
 };
 
 // A layer of frequency 0.
-GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborWarped at, gabor_vec2 density, std::uint32_t seed, int index) {
+GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
     return GaborLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
 }
 
-GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborWarped at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
+GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
                                   int index) {
     return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_lobe_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-GABOR_INLINE GaborLayer gabor_impl_octave(GaborWarped at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_octave(GaborPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
     return GaborLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f), gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power),
                       gabor_lobe_seed(seed, i)};
@@ -580,8 +569,8 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
 
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, gabor_vec4 steps) {
-    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
+GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
+    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(layer.density * layer.at.dx, layer.density * layer.at.dy).covariance;
     gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave);
@@ -589,26 +578,25 @@ GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField fie
     return gabor_impl_pair(layer, field, whole - (1.0f - field.removed) * left);
 }
 
-GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
-    gabor_vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    GaborField field = gabor_field_filtered(place, steps.xy(), steps.zw(), layer.wave, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, steps);
+    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, layer.density * layer.at.dx,
+                                                                layer.density * layer.at.dy, layer.wave, layer.seed));
 }
 
-GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
-    gabor_vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy(), steps.zw(), layer.seed), steps);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, layer.density * layer.at.dx,
+                                                                     layer.density * layer.at.dy, layer.seed));
 }
 
-GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& pairs, GaborLayer layer, GaborPixel pixel) {
-    GaborPair pair = gabor_impl_filtered_spots(layer, pixel);
-    if (layer.slot == 0) pairs.a = gabor_impl_plus(pairs.a, pair, layer.amplitude);
-    else if (layer.slot == 1) pairs.b = gabor_impl_plus(pairs.b, pair, layer.amplitude);
-    else if (layer.slot == 2) pairs.c = gabor_impl_plus(pairs.c, pair, layer.amplitude);
-    else if (layer.slot == 3) pairs.d = gabor_impl_plus(pairs.d, pair, layer.amplitude);
-    else pairs.e = gabor_impl_plus(pairs.e, pair, layer.amplitude);
+GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& sum, GaborLayer layer) {
+    GaborPair pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) sum.a = gabor_impl_plus(sum.a, pair, layer.amplitude);
+    else if (layer.slot == 1) sum.b = gabor_impl_plus(sum.b, pair, layer.amplitude);
+    else if (layer.slot == 2) sum.c = gabor_impl_plus(sum.c, pair, layer.amplitude);
+    else if (layer.slot == 3) sum.d = gabor_impl_plus(sum.d, pair, layer.amplitude);
+    else sum.e = gabor_impl_plus(sum.e, pair, layer.amplitude);
 }
 #endif
 
@@ -718,25 +706,23 @@ GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, gabor_vec3 hei
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-GABOR_INLINE GaborWarped gabor_impl_board(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
+GABOR_INLINE GaborPixel gabor_impl_board(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.43f, 0.018f) * wood.waviness;
-    GaborWarped board = gabor_impl_unwarped(pixel);
-    board = gabor_impl_warp(pixel, board, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), seed, 0);
-    return gabor_impl_warp(pixel, board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), seed, 1);
+    GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), seed, 0);
+    return gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), seed, 1);
 }
 
 // Pores, fibres and tone.
-GABOR_INLINE GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborWarped board, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborPixel board, std::uint32_t seed) {
     if (i == 2) return gabor_impl_spots_layer(2, board, gabor_vec2(3.5f, 0.35f), seed, 5);
-    return gabor_impl_spots_layer(i, gabor_impl_unwarped(pixel), i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed,
-                                  3 + i);
+    return gabor_impl_spots_layer(i, pixel, i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed, 3 + i);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood wood, GaborPairs of, std::uint32_t seed) {
-    board = gabor_impl_warp(pixel, board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), seed, 2);
-    // the number of rings up to here
-    gabor_vec3 years = gabor_impl_repeated(pixel, wood.rings, 1.0f).x * gabor_impl_along_x(board);
-    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * gabor_impl_steps(pixel, years), 40.0f)); // amplitude of the rings' wave
+GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, std::uint32_t seed) {
+    board = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), seed, 2);
+    float rings = gabor_impl_repeated(board, wood.rings, 1.0f).x;
+    gabor_vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
+    float kept = 0.97f * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     gabor_vec3 ring = gabor_impl_rise(years, gabor_vec3(kept, 0.0f, 0.0f));
     gabor_vec3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
     gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
@@ -755,21 +741,21 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, 
 
 GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPixel board = gabor_impl_board(pixel, wood, seed);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
     of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
-    return gabor_impl_wood(pixel, board, wood, of, seed);
+    return gabor_impl_wood(board, wood, of, seed);
 }
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
-GABOR_INLINE float gabor_impl_pixel_spread(GaborPixel pixel, gabor_vec3 x, gabor_vec3 y) {
-    return gabor_cpp_sqrt(0.125f * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)));
+// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+GABOR_INLINE float gabor_impl_sample_spread(gabor_vec2 dx, gabor_vec2 dy) {
+    return gabor_cpp_sqrt(0.125f * (gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy)));
 }
 
 // The number of samples for that standard deviation.
@@ -777,16 +763,11 @@ GABOR_INLINE int gabor_impl_samples(float spread) {
     return spread > 0.001f ? 16 : 1;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
-GABOR_INLINE gabor_vec2 gabor_impl_sample(GaborPixel pixel, int i, int count) {
+// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
+GABOR_INLINE gabor_vec2 gabor_impl_sample(gabor_vec2 dx, gabor_vec2 dy, int i, int count) {
     gabor_vec2 at = 0.125f * gabor_vec2(float(i), float((7 * i + 10) % 16)) - 0.9375f;
     at *= 0.5566f + 0.507f * at * at;
-    return count > 1 ? at.x * pixel.dx + at.y * pixel.dy : gabor_vec2(0.0f);
-}
-
-// A value with derivatives, at an offset.
-GABOR_INLINE gabor_vec3 gabor_impl_moved(gabor_vec3 a, gabor_vec2 offset) {
-    return gabor_vec3(a.x + gabor_cpp_dot(a.yz(), offset), a.yz());
+    return count > 1 ? at.x * dx + at.y * dy : gabor_vec2(0.0f);
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -798,12 +779,12 @@ GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int c
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), seed, 0);
+GABOR_INLINE GaborPixel gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, gabor_vec2 count, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborPixel cloth, gabor_vec2 count, std::uint32_t seed) {
     gabor_vec2 density = i == 0 ? gabor_vec2(0.7f * count.x, 1.1f) : i == 1 ? gabor_vec2(1.1f, 0.7f * count.y)
                  : i == 2 ? gabor_vec2(14.0f, 2.0f) * count : gabor_vec2(2.0f, 14.0f) * count;
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
@@ -832,10 +813,11 @@ GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, g
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborFabric fabric, GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count, GaborFabric fabric, GaborPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
     gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
-    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0f - gabor_cpp_smoothstep(0.3f, 0.7f, spread);
+    gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.3f, 0.7f, spread);
     at_x += 0.13f * uneven * of.a.first;
     at_y += 0.13f * uneven * of.b.first;
     gabor_vec2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09f * uneven)
@@ -846,8 +828,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
-        gabor_vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
+        gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
         gabor_vec2 thread_ = gabor_cpp_floor(gabor_vec2(x.x, y.x));
         x.x -= thread_.x + 0.5f;
         y.x -= thread_.y + 0.5f;
@@ -871,9 +853,9 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
     height *= unit;
     lost = unit * unit * (lost + 0.0006125f * (of.c.lost + of.d.lost));
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
+        float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0f).x;
         gabor_vec3 at = cords * gabor_impl_along_x(cloth);
-        float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * gabor_impl_steps(pixel, at), 20.0f)), half_cord = 0.5f * damped;
+        float damped = gabor_impl_sine_kept(cloth, cords), half_cord = 0.5f * damped;
         float second = 0.125f * damped * damped * damped * damped, turn = 6.2831853f * gabor_cpp_fract(at.x);
         float cord = 0.625f - half_cord * gabor_cpp_cos(turn) - second * gabor_cpp_cos(2.0f * turn);
         float depth = 0.3f * fabric.relief / cords, swing = depth * 6.2831853f;
@@ -887,38 +869,38 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
 
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
     of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
     of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
-    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+    return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
-GABOR_INLINE GaborWarped gabor_impl_twill(GaborPixel pixel, std::uint32_t seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), gabor_vec2(0.008f), seed, 0);
+GABOR_INLINE GaborPixel gabor_impl_twill(GaborPixel pixel, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), seed, 0);
 }
 
 // The fibres of tows along y and x.
-GABOR_INLINE GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, gabor_vec2 count, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_tow_layer(int i, GaborPixel cloth, gabor_vec2 count, std::uint32_t seed) {
     return gabor_impl_spots_layer(i, cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborCarbonFibre fibres,
-                                      GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, gabor_vec2 count, GaborCarbonFibre fibres, GaborPairs of) {
     gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
-    float spread = gabor_impl_pixel_spread(pixel, at_x, at_y), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
+    gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
     float unit = fibres.relief / fibres.tows;
     gabor_vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
     gabor_vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
-        gabor_vec3 x = gabor_impl_moved(at_x, offset), y = gabor_impl_moved(at_y, offset);
+        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
+        gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
         float turn = 4.0f * gabor_cpp_fract(0.25f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x)) + 0.125f) - 0.5f; // 0 to 3
         x.x -= gabor_cpp_floor(x.x);
         y.x -= gabor_cpp_floor(y.x);
@@ -926,61 +908,57 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped
         gabor_vec3 along = 0.5f * (first ? y : x), across = 2.0f * (first ? x : y);
         along.x += gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 0.5f; // from 0 to 1 over two rows
         across.x -= 1.0f;
-        float cube = across.x * across.x * across.x, arch = 1.0f - cube * across.x;
+        float cube = across.x * across.x * across.x, low = 1.0f - cube * across.x, arch = low * low;
         gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
-        gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 4.0f * cube * wave.y * across.yz());
+        gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 8.0f * cube * low * wave.y * across.yz());
         colour += (0.35f + 0.65f * bulge.x) * (first ? warp : weft);
         bulge = 0.16f * bulge + 0.006f * (first ? of.a.first : of.b.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz());
     }
-    // The bulge's mean is 0.5093, and its slope's mean square, over tows along x and y, 2.72.
-    gabor_impl_average(height, lost, samples, kept, 0.081488f, 0.0256f * 2.72f * gabor_vec3(count * count, 0.0f));
-    colour = gabor_cpp_mix(0.340523f * (warp + weft), colour / float(samples), kept);
+    // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    gabor_impl_average(height, lost, samples, kept, 0.072432f, 0.0256f * 2.154f * gabor_vec3(count * count, 0.0f));
+    colour = gabor_cpp_mix(0.3221275f * (warp + weft), colour / float(samples), kept);
     lost = unit * unit * (lost + 1.8e-5f * (of.a.lost + of.b.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period, GaborCarbonFibre fibres, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    GaborPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
-    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
 // Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
-GABOR_INLINE GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
+GABOR_INLINE GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
-    GaborWarped skin = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
-    return gabor_impl_warp(pixel, skin, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
+    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
+    return gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped skin, GaborLeather leather, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), seed, 5);
+GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, std::uint32_t seed) {
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
 
-// The wave vector of a layer in turns per unit of p.
-GABOR_INLINE gabor_vec2 gabor_impl_turns(GaborLayer layer) {
-    gabor_vec2 wave = layer.density * layer.wave;
-    return gabor_vec2(gabor_cpp_dot(wave, layer.at.x), gabor_cpp_dot(wave, layer.at.y));
-}
-
-// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
-GABOR_INLINE GaborPair gabor_impl_moved_waves(GaborPair pair, gabor_vec2 turns, gabor_vec2 offset) {
-    gabor_vec2 turn = gabor_impl_wave(gabor_cpp_dot(turns, offset)), whole = 6.2831853f * turns;
-    gabor_vec3 a = gabor_impl_moved(pair.first + gabor_vec3(0.0f, pair.second.x * whole), offset);
-    gabor_vec3 b = gabor_impl_moved(pair.second - gabor_vec3(0.0f, pair.first.x * whole), offset);
+// Waves at an offset: their envelope moves along its slope, and the phase turns.
+GABOR_INLINE GaborPair gabor_impl_moved_waves(GaborPair waves, GaborPixel at, gabor_vec2 wave, gabor_vec2 offset, float turns) {
+    gabor_vec2 turn = gabor_impl_wave(turns);
+    gabor_vec3 phase = 6.2831853f * gabor_vec3(0.0f, gabor_cpp_dot(wave, at.x), gabor_cpp_dot(wave, at.y));
+    gabor_vec3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
+    a.x += gabor_cpp_dot(a.yz(), offset);
+    b.x += gabor_cpp_dot(b.yz(), offset);
     gabor_vec3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
-    return GaborPair{first - gabor_vec3(0.0f, second.x * whole), second + gabor_vec3(0.0f, first.x * whole), 0.0f, gabor_vec3(0.0f)};
+    return GaborPair{first - second.x * phase, second + first.x * phase, 0.0f, gabor_vec3(0.0f)};
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
@@ -993,16 +971,20 @@ GABOR_INLINE void gabor_impl_crest(GaborPair waves, gabor_vec3& cosine, gabor_ve
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather leather, gabor_vec2 turns_a, gabor_vec2 turns_b, GaborPairs of) {
-    float spread = gabor_impl_pixel_spread(pixel, gabor_vec3(0.0f, turns_a), gabor_vec3(0.0f, turns_b));
+GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather leather, GaborPairs of) {
+    gabor_vec2 wave_a = gabor_wave_vector(leather.cells, 0.2f), wave_b = gabor_wave_vector(leather.cells, 2.2944f);
+    gabor_vec2 dx = gabor_vec2(gabor_cpp_dot(wave_a, skin.dx), gabor_cpp_dot(wave_b, skin.dx));
+    gabor_vec2 dy = gabor_vec2(gabor_cpp_dot(wave_a, skin.dy), gabor_cpp_dot(wave_b, skin.dy));
+    float spread = gabor_impl_sample_spread(dx, dy), bend = gabor_cpp_exp(-30.0f * spread * spread);
     float kept = 1.0f - gabor_cpp_smoothstep(0.4f, 0.8f, spread), share = 0.0f;
     gabor_vec3 height = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(pixel, i, samples);
+        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
+        gabor_vec2 further = bend * gabor_impl_sample(pixel.dx, pixel.dy, i, samples);
         gabor_vec3 a, b, sine_a, sine_b;
-        gabor_impl_crest(gabor_impl_moved_waves(of.c, turns_a, offset), a, sine_a);
-        gabor_impl_crest(gabor_impl_moved_waves(of.d, turns_b, offset), b, sine_b);
+        gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         gabor_vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
         gabor_vec3 pebble = gabor_impl_step(-1.45f, -0.55f, cells + 0.1f * of.a.second);
@@ -1023,33 +1005,30 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborLeather lea
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
-    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
-    of.c = gabor_impl_waves_pair(a);
-    of.d = gabor_impl_waves_pair(b);
-    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_stone(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
+GABOR_INLINE GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
     gabor_vec4 bends = gabor_vec4(0.17f, 0.038f, 0.010f, 0.003f) * marble.turbulence;
-    GaborWarped stone = gabor_impl_unwarped(pixel);
-    stone = gabor_impl_warp(pixel, stone, gabor_vec2(1.1f), gabor_vec2(bends.x), seed, 0);
-    stone = gabor_impl_warp(pixel, stone, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
-    stone = gabor_impl_warp(pixel, stone, gabor_vec2(13.0f), gabor_vec2(bends.z), seed, 2);
-    return gabor_impl_warp(pixel, stone, gabor_vec2(40.0f), gabor_vec2(bends.w), seed, 3);
+    GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(bends.x), seed, 0);
+    stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
+    stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(bends.z), seed, 2);
+    return gabor_impl_warp(stone, gabor_vec2(40.0f), gabor_vec2(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_lobe_seed(seed, 8));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(75.0f), seed, 9);
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 9);
     gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
               : i == 6 ? gabor_vec3(4.5f, 0.95f, 0.95f) : gabor_vec3(13.0f, 0.9f, 0.2f);
     return gabor_impl_waves_layer(2, stone, gabor_vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
@@ -1078,7 +1057,7 @@ GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble,
 
 GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
@@ -1093,15 +1072,15 @@ GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, Gabo
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_dune(GaborPixel pixel, std::uint32_t seed) {
-    GaborWarped dune = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), gabor_vec2(0.15f), seed, 0);
-    return gabor_impl_warp(pixel, dune, gabor_vec2(3.0f), gabor_vec2(0.02f), seed, 1);
+GABOR_INLINE GaborPixel gabor_impl_dune(GaborPixel pixel, std::uint32_t seed) {
+    GaborPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), seed, 0);
+    return gabor_impl_warp(dune, gabor_vec2(3.0f), gabor_vec2(0.02f), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
-GABOR_INLINE GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborWarped dune, GaborSand sand, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(75.0f), seed, 3);
+GABOR_INLINE GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, std::uint32_t seed) {
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 3);
     return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
 }
 
@@ -1132,7 +1111,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
 
 GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPixel dune = gabor_impl_dune(pixel, seed);
     GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1146,10 +1125,9 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
 
 // Five sizes of streaks, and six octaves of patina.
 GABOR_INLINE GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
-    GaborWarped sheet = gabor_impl_unwarped(pixel);
-    if (i >= 5) return gabor_impl_octave(sheet, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
-    return gabor_impl_spots_layer(0, sheet, density, seed, i);
+    return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
@@ -1200,10 +1178,10 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 
 GABOR_INLINE GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
-    GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
+    GaborPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
-    at = gabor_impl_warp(pixel, at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
+    at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
 }
 
@@ -1239,20 +1217,20 @@ GABOR_INLINE GaborMaterial gabor_scratches_at(gabor_vec2 p, gabor_vec2 period, G
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_hide(GaborPixel pixel, std::uint32_t seed) {
-    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.9f), gabor_vec2(0.14f), seed, 0);
+GABOR_INLINE GaborPixel gabor_impl_hide(GaborPixel pixel, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), seed, 0);
 }
 
 GABOR_INLINE float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
-    GaborPlace place = gabor_impl_place(gabor_impl_unwarped(pixel), gabor_vec2(0.6f));
+    GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
     return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-GABOR_INLINE GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborWarped skin, float direction, GaborZebra zebra,
+GABOR_INLINE GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel skin, float direction, GaborZebra zebra,
                                   std::uint32_t seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
-    if (i == 1) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(1.2f), seed, 4);
+    if (i == 1) return gabor_impl_spots_layer(1, pixel, gabor_vec2(1.2f), seed, 4);
     return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
 }
 
@@ -1261,7 +1239,7 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
     // where it is small, a constant softness would blur the edge
     float intensity = gabor_cpp_length(gabor_vec2(of.c.first.x, of.c.second.x));
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
-                                  of.c.removed + ragged * ragged * of.a.removed, 0.0f,
+                                  of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0f,
                                   0.01f + 0.09f * intensity).x;
     gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair)
                + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08f);
@@ -1271,7 +1249,7 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
 
 GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    GaborPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborPairs of = gabor_impl_no_pairs();
     of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
@@ -1282,17 +1260,16 @@ GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, Gabor
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) {
-    GaborWarped trunk = gabor_impl_unwarped(pixel);
-    trunk = gabor_impl_warp(pixel, trunk, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), seed, 0);
-    trunk = gabor_impl_warp(pixel, trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), seed, 1);
-    return gabor_impl_warp(pixel, trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), seed, 2);
+GABOR_INLINE GaborPixel gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) {
+    GaborPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), seed, 0);
+    trunk = gabor_impl_warp(trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), seed, 1);
+    return gabor_impl_warp(trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, std::uint32_t seed) {
-    GaborWarped at = trunk;
-    if (i > 1 && i < 6) at = gabor_impl_unwarped(pixel); // the trunk's warps would stretch small spots into smears
+GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, std::uint32_t seed) {
+    GaborPixel at = trunk;
+    if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_lobe_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
@@ -1327,7 +1304,7 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
 
 GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
@@ -1339,18 +1316,17 @@ GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborB
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
-    GaborWarped rock = gabor_impl_unwarped(pixel);
+GABOR_INLINE GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
     gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds;
-    rock = gabor_impl_warp(pixel, rock, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
-    rock = gabor_impl_warp(pixel, rock, gabor_vec2(1.6f, 2.6f), folds.yz(), seed, 1);
-    return gabor_impl_warp(pixel, rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), seed, 2);
+    GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
+    rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), folds.yz(), seed, 1);
+    return gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, std::uint32_t seed) {
+GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, std::uint32_t seed) {
     if (i < 4)
-        return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
                  : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
     return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
@@ -1376,7 +1352,7 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) 
 
 GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
@@ -1392,69 +1368,67 @@ GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, Gabo
 #ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPixel board = gabor_impl_board(pixel, wood, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed), pixel);
-    return gabor_impl_wood(pixel, board, wood, of, seed);
+        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
+    return gabor_impl_wood(board, wood, of, seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
-    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
+    return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborCarbonFibre fibres,
                                              std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    GaborPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed), pixel);
-    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
-    GaborLayer a = gabor_impl_leather_layer(4, pixel, skin, leather, seed);
-    GaborLayer b = gabor_impl_leather_layer(5, pixel, skin, leather, seed);
-    of.c = gabor_impl_waves_pair(a);
-    of.d = gabor_impl_waves_pair(b);
-    return gabor_impl_leather(pixel, leather, gabor_impl_turns(a), gabor_impl_turns(b), of);
+        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
     for (int j = 4; j < 8; ++j) {
         GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
-        gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer, pixel));
+        gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
     }
     return material;
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPixel dune = gabor_impl_dune(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    of.c = gabor_impl_filtered_waves(ripples, pixel);
+    of.c = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
@@ -1465,7 +1439,7 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_v
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
         GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
-        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer, pixel));
+        gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
 }
@@ -1475,30 +1449,29 @@ GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
-                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed),
-                                                           pixel));
+                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
     return gabor_impl_scratches(scratches, sum);
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    GaborPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed), pixel);
-    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
+    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     for (int j = 6; j < 8; ++j) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed), pixel);
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
         if (j == 6) of.c = pair;
         else of.d = pair;
     }
@@ -1507,10 +1480,10 @@ GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 
 GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 8; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed), pixel);
+        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
 #endif
@@ -1519,7 +1492,7 @@ GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 
 GABOR_INLINE float gabor_roughness(GaborMaterial material) {
     float alpha = material.roughness * material.roughness;
-    return gabor_cpp_sqrt(gabor_cpp_sqrt(gabor_cpp_min(alpha * alpha + 0.61f * (material.lost.x + material.lost.y), 1.0f)));
+    return gabor_cpp_sqrt(gabor_cpp_sqrt(gabor_cpp_min(alpha * alpha + 0.5f * (material.lost.x + material.lost.y), 1.0f)));
 }
 
 GABOR_INLINE GaborWood gabor_wood_default() {
@@ -1548,7 +1521,7 @@ GABOR_INLINE GaborZebra gabor_zebra_default() {
     return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.2967060f, 0.3490659f, 1.0f, 0.7f};
 }
 GABOR_INLINE GaborBark gabor_bark_default() {
-    return GaborBark{gabor_vec3(0.20f, 0.145f, 0.10f), gabor_vec3(0.025f, 0.014f, 0.008f), gabor_vec3(0.10f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f,
+    return GaborBark{gabor_vec3(0.20f, 0.145f, 0.10f), gabor_vec3(0.025f, 0.014f, 0.008f), gabor_vec3(0.10f, 0.13f, 0.045f), 2.21f, 0.35f, 0.08f,
                      0.9f};
 }
 GABOR_INLINE GaborCarbonFibre gabor_carbon_fibre_default() {

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 79bfbc4117ce674c.
+// naga 30.0.1 made it from GLSL with the digest d254031fe41e24a6.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -36,8 +36,7 @@ struct GaborMaterial {
 
 // f32 gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     0.61 of the variance of the removed slopes: GGX has long tails, and this one is closest to normal slopes in
-//     relative entropy.
+//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -220,47 +219,44 @@ fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f3
 
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
-// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+// A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
+// filter, and the period, 0 for none. Warps move it and bend the steps.
 struct GaborPixel {
     p: vec2<f32>,
+    x: vec2<f32>,
+    y: vec2<f32>,
     dx: vec2<f32>,
     dy: vec2<f32>,
     period: vec2<f32>,
 }
 
 fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborPixel {
+    var p_12: vec2<f32>;
     var local_24: vec2<f32>;
+    p_12 = p;
+    let _e5 = p_12;
     if (period.x > 0f) {
-        local_24 = (p - (period * floor((p / period))));
+        let _e9 = p_12;
+        local_24 = (period * floor((_e9 / period)));
     } else {
-        local_24 = p;
+        local_24 = vec2(0f);
     }
-    let _e12 = local_24;
-    return GaborPixel(_e12, dx, dy, period);
-}
-
-// A position that warps have moved, and its derivatives along x and y of p.
-struct GaborWarped {
-    p: vec2<f32>,
-    x: vec2<f32>,
-    y: vec2<f32>,
-    period: vec2<f32>,
-}
-
-fn gabor_impl_unwarped(pixel: GaborPixel) -> GaborWarped {
-    return GaborWarped(pixel.p, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), pixel.period);
+    let _e16 = local_24;
+    p_12 = (_e5 - _e16);
+    let _e18 = p_12;
+    return GaborPixel(_e18, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), dx, dy, period);
 }
 
 // A position along the warped x or y axis, with derivatives.
-fn gabor_impl_along_x(at: GaborWarped) -> vec3<f32> {
+fn gabor_impl_along_x(at: GaborPixel) -> vec3<f32> {
     return vec3<f32>(at.p.x, at.x.x, at.y.x);
 }
-fn gabor_impl_along_y(at: GaborWarped) -> vec3<f32> {
+fn gabor_impl_along_y(at: GaborPixel) -> vec3<f32> {
     return vec3<f32>(at.p.y, at.x.y, at.y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-fn gabor_impl_place(at: GaborWarped, density: vec2<f32>) -> GaborPlace {
+fn gabor_impl_place(at: GaborPixel, density: vec2<f32>) -> GaborPlace {
     if (at.period.x > 0f) {
         let _e10 = gabor_place_tiled((density * at.p), (density * at.period));
         return _e10;
@@ -391,61 +387,68 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
 }
 
-// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
-fn gabor_impl_radii(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>) -> vec4<f32> {
-    let _e12 = (density * ((pixel.dx.x * at.x) + (pixel.dx.y * at.y)));
-    let _e22 = (density * ((pixel.dy.x * at.x) + (pixel.dy.y * at.y)));
-    return vec4<f32>(_e12.x, _e12.y, _e22.x, _e22.y);
-}
-
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes.
-fn gabor_impl_warp(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborWarped {
+// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
+// slopes of the filtered height, which leave out this change, would be wrong.
+fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborPixel {
     var amplitude_5: vec2<f32>;
     var steps: vec4<f32>;
+    var size: f32;
+    var bend: f32;
     var field_10: GaborField;
     var along_x_3: vec2<f32>;
     var along_y_3: vec2<f32>;
     amplitude_5 = amplitude;
-    let _e7 = gabor_impl_radii(pixel, at, density);
-    steps = _e7;
-    let _e9 = amplitude_5;
-    let _e12 = steps;
-    let _e13 = steps;
-    amplitude_5 = (_e9 / vec2((1f + (0.822467f * min(dot(_e12, _e13), 1000000f)))));
-    let _e21 = gabor_impl_place(at, density);
-    let _e22 = gabor_lobe_seed(seed, index);
-    let _e23 = gabor_impl_spots(_e21, _e22);
-    field_10 = _e23;
-    let _e25 = amplitude_5;
-    let _e28 = field_10;
-    let _e31 = field_10;
-    along_x_3 = ((_e25 * density.x) * vec2<f32>(_e28.quadrature_gradient.x, _e31.gradient.x));
-    let _e37 = amplitude_5;
-    let _e40 = field_10;
-    let _e43 = field_10;
-    along_y_3 = ((_e37 * density.y) * vec2<f32>(_e40.quadrature_gradient.y, _e43.gradient.y));
-    let _e50 = amplitude_5;
-    let _e51 = field_10;
-    let _e53 = field_10;
-    let _e61 = along_x_3;
-    let _e66 = along_y_3;
-    let _e72 = along_x_3;
-    let _e77 = along_y_3;
-    return GaborWarped((at.p + (_e50 * vec2<f32>(_e51.quadrature, _e53.noise))), ((at.x + (at.x.x * _e61)) + (at.x.y * _e66)), ((at.y + (at.y.x * _e72)) + (at.y.y * _e77)), at.period);
+    let _e7 = (density * at.dx);
+    let _e9 = (density * at.dy);
+    steps = vec4<f32>(_e7.x, _e7.y, _e9.x, _e9.y);
+    let _e16 = steps;
+    let _e17 = steps;
+    size = min(dot(_e16, _e17), 1000000f);
+    let _e25 = size;
+    bend = (1f / (1f + (64f * _e25)));
+    let _e30 = amplitude_5;
+    let _e33 = size;
+    amplitude_5 = (_e30 / vec2((1f + (0.822467f * _e33))));
+    let _e38 = gabor_impl_place(at, density);
+    let _e39 = gabor_lobe_seed(seed, index);
+    let _e40 = gabor_impl_spots(_e38, _e39);
+    field_10 = _e40;
+    let _e42 = amplitude_5;
+    let _e45 = field_10;
+    let _e48 = field_10;
+    along_x_3 = ((_e42 * density.x) * vec2<f32>(_e45.quadrature_gradient.x, _e48.gradient.x));
+    let _e54 = amplitude_5;
+    let _e57 = field_10;
+    let _e60 = field_10;
+    along_y_3 = ((_e54 * density.y) * vec2<f32>(_e57.quadrature_gradient.y, _e60.gradient.y));
+    let _e67 = amplitude_5;
+    let _e68 = field_10;
+    let _e70 = field_10;
+    let _e78 = along_x_3;
+    let _e83 = along_y_3;
+    let _e89 = along_x_3;
+    let _e94 = along_y_3;
+    let _e98 = bend;
+    let _e101 = along_x_3;
+    let _e105 = along_y_3;
+    let _e111 = bend;
+    let _e114 = along_x_3;
+    let _e118 = along_y_3;
+    return GaborPixel((at.p + (_e67 * vec2<f32>(_e68.quadrature, _e70.noise))), ((at.x + (at.x.x * _e78)) + (at.x.y * _e83)), ((at.y + (at.y.x * _e89)) + (at.y.y * _e94)), (at.dx + (_e98 * ((at.dx.x * _e101) + (at.dx.y * _e105)))), (at.dy + (_e111 * ((at.dy.x * _e114) + (at.dy.y * _e118)))), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
+fn gabor_impl_turned(at: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_15: vec2<f32>;
     var y_12: vec2<f32>;
     var period_8: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
-    var size: vec2<f32>;
+    var size_1: vec2<f32>;
     var local_26: f32;
     var local_27: f32;
     var signs: vec2<f32>;
@@ -465,7 +468,7 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
             let _e23 = turn_10;
             whole = floor(((3f * normalize((_e23 / at.period))) + vec2(0.5f)));
             let _e33 = whole;
-            size = abs(_e33);
+            size_1 = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
                 local_26 = -1f;
@@ -481,22 +484,22 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
             }
             let _e53 = local_27;
             signs = vec2<f32>(_e44, _e53);
-            let _e56 = size;
-            let _e58 = size;
-            let _e61 = size;
-            let _e63 = size;
+            let _e56 = size_1;
+            let _e58 = size_1;
+            let _e61 = size_1;
+            let _e63 = size_1;
             if ((_e56.x == _e58.y) || ((_e61.x * _e63.y) == 0f)) {
                 let _e69 = signs;
-                let _e70 = size;
+                let _e70 = size_1;
                 whole = (_e69 * min(_e70, vec2(1f)));
             }
             let _e75 = whole;
-            size = abs(_e75);
-            let _e77 = size;
-            let _e81 = size;
+            size_1 = abs(_e75);
+            let _e77 = size_1;
+            let _e81 = size_1;
             if ((_e77.x > 1f) && (_e81.y > 1f)) {
-                let _e86 = size;
-                let _e88 = size;
+                let _e86 = size_1;
+                let _e88 = size_1;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
                     local_28 = _e91;
@@ -507,7 +510,7 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
                 let _e95 = local_28;
                 local_30 = _e95;
             } else {
-                let _e96 = size;
+                let _e96 = size_1;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
                     local_29 = vec2<f32>(0f, _e101.x);
@@ -540,8 +543,12 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     let _e160 = y_12;
     let _e164 = x_15;
     let _e167 = y_12;
-    let _e171 = period_8;
-    return GaborWarped(vec2<f32>(dot(_e150, at.p), dot(_e153, at.p)), vec2<f32>(dot(_e157, at.x), dot(_e160, at.x)), vec2<f32>(dot(_e164, at.y), dot(_e167, at.y)), _e171);
+    let _e171 = x_15;
+    let _e174 = y_12;
+    let _e178 = x_15;
+    let _e181 = y_12;
+    let _e185 = period_8;
+    return GaborPixel(vec2<f32>(dot(_e150, at.p), dot(_e153, at.p)), vec2<f32>(dot(_e157, at.x), dot(_e160, at.x)), vec2<f32>(dot(_e164, at.y), dot(_e167, at.y)), vec2<f32>(dot(_e171, at.dx), dot(_e174, at.dx)), vec2<f32>(dot(_e178, at.dy), dot(_e181, at.dy)), _e185);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -553,13 +560,9 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     return vec2(count);
 }
 
-// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
-fn gabor_impl_steps(pixel: GaborPixel, a: vec3<f32>) -> f32 {
-    var steps_1: vec2<f32>;
-    steps_1 = vec2<f32>(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
-    let _e10 = steps_1;
-    let _e11 = steps_1;
-    return dot(_e10, _e11);
+// What a pixel keeps of a sine along x that repeats `count` times per unit.
+fn gabor_impl_sine_kept(at: GaborPixel, count: f32) -> f32 {
+    return exp(-(min((((4.934802f * count) * count) * ((at.dx.x * at.dx.x) + (at.dy.x * at.dy.x))), 40f)));
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -568,7 +571,7 @@ fn gabor_impl_steps(pixel: GaborPixel, a: vec3<f32>) -> f32 {
 // `amplitude`, to pair `slot` of a material.
 struct GaborLayer {
     slot: i32,
-    at: GaborWarped,
+    at: GaborPixel,
     density: vec2<f32>,
     wave: vec2<f32>,
     amplitude: f32,
@@ -576,19 +579,19 @@ struct GaborLayer {
 }
 
 // A layer of frequency 0.
-fn gabor_impl_spots_layer(slot: i32, at: GaborWarped, density: vec2<f32>, seed: u32, index: i32) -> GaborLayer {
+fn gabor_impl_spots_layer(slot: i32, at: GaborPixel, density: vec2<f32>, seed: u32, index: i32) -> GaborLayer {
     let _e8 = gabor_lobe_seed(seed, index);
     return GaborLayer(slot, at, density, vec2(0f), 1f, _e8);
 }
 
-fn gabor_impl_waves_layer(slot: i32, at: GaborWarped, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborLayer {
+fn gabor_impl_waves_layer(slot: i32, at: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborLayer {
     let _e7 = gabor_wave_vector(frequency, orientation);
     let _e9 = gabor_lobe_seed(seed, index);
     return GaborLayer(slot, at, density, _e7, 1f, _e9);
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-fn gabor_impl_octave(at: GaborWarped, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborLayer {
+fn gabor_impl_octave(at: GaborPixel, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborLayer {
     var power_5: f32;
     power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
     let _e27 = power_5;
@@ -743,22 +746,22 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
 fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
-    var a_11: vec2<f32>;
+    var a_10: vec2<f32>;
     var b_13: vec2<f32>;
     var c_7: vec2<f32>;
     var real_3: vec4<f32>;
     var imaginary_3: vec4<f32>;
     let _e9 = gabor_impl_amplitude((x.word.x * word));
-    a_11 = _e9;
+    a_10 = _e9;
     let _e14 = gabor_impl_amplitude((x.word.y * word));
     b_13 = _e14;
     let _e19 = gabor_impl_amplitude((x.word.z * word));
     c_7 = _e19;
-    let _e22 = a_11;
+    let _e22 = a_10;
     let _e26 = b_13;
     let _e31 = c_7;
     real_3 = (((x.first * _e22.x) + (x.middle * _e26.x)) + (x.last * _e31.x));
-    let _e37 = a_11;
+    let _e37 = a_10;
     let _e41 = b_13;
     let _e46 = c_7;
     imaginary_3 = (((x.first * _e37.y) + (x.middle * _e41.y)) + (x.last * _e46.y));
@@ -820,17 +823,17 @@ struct GaborSpotsRow {
 }
 
 fn gabor_impl_add_spot(row: ptr<function, GaborSpotsRow>, x: GaborSpotsLine, row_word: u32) {
-    var a_12: vec2<f32>;
+    var a_11: vec2<f32>;
     let _e5 = gabor_impl_amplitude((x.word * row_word));
-    a_12 = _e5;
+    a_11 = _e5;
     let _e8 = (*row);
-    let _e12 = a_12;
+    let _e12 = a_11;
     (*row).real = (_e8.real + ((x.fade.x * _e12.x) * x.window));
     let _e19 = (*row);
-    let _e23 = a_12;
+    let _e23 = a_11;
     (*row).imaginary = (_e19.imaginary + ((x.fade.x * _e23.y) * x.window));
     let _e30 = (*row);
-    let _e37 = a_12;
+    let _e37 = a_11;
     (*row).edge = (_e30.edge + ((x.fade.y * x.window.x) * _e37));
     return;
 }
@@ -1124,107 +1127,92 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
 
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField, steps: vec4<f32>) -> GaborPair {
-    var a_13: vec3<f32>;
+fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField) -> GaborPair {
+    var a_12: vec3<f32>;
     var inverse: vec3<f32>;
     var whole_2: vec3<f32>;
     var left_1: vec3<f32>;
-    let _e6 = gabor_impl_footprint(steps.xy, steps.zw);
-    a_13 = (6.579736f * _e6.covariance);
-    let _e11 = a_13;
-    let _e15 = a_13;
-    let _e18 = a_13;
-    inverse = vec3<f32>((1f + _e11.y), (1f + _e15.x), -(_e18.z));
-    let _e23 = inverse;
-    let _e24 = inverse;
-    let _e26 = inverse;
-    let _e29 = a_13;
-    let _e31 = a_13;
-    inverse = (_e23 / vec3(((_e24.x * _e26.y) - (_e29.z * _e31.z))));
-    let _e43 = gabor_impl_square(layer.wave);
-    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e43));
-    let _e48 = inverse;
-    let _e51 = inverse;
-    let _e53 = gabor_impl_symmetric(_e51, layer.wave);
-    let _e54 = gabor_impl_square(_e53);
-    left_1 = ((3.289868f * _e48) + (39.478416f * _e54));
-    let _e58 = whole_2;
-    let _e62 = left_1;
-    let _e65 = gabor_impl_pair(layer, field, (_e58 - ((1f - field.removed) * _e62)));
-    return _e65;
+    let _e11 = gabor_impl_footprint((layer.density * layer.at.dx), (layer.density * layer.at.dy));
+    a_12 = (6.579736f * _e11.covariance);
+    let _e16 = a_12;
+    let _e20 = a_12;
+    let _e23 = a_12;
+    inverse = vec3<f32>((1f + _e16.y), (1f + _e20.x), -(_e23.z));
+    let _e28 = inverse;
+    let _e29 = inverse;
+    let _e31 = inverse;
+    let _e34 = a_12;
+    let _e36 = a_12;
+    inverse = (_e28 / vec3(((_e29.x * _e31.y) - (_e34.z * _e36.z))));
+    let _e48 = gabor_impl_square(layer.wave);
+    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e48));
+    let _e53 = inverse;
+    let _e56 = inverse;
+    let _e58 = gabor_impl_symmetric(_e56, layer.wave);
+    let _e59 = gabor_impl_square(_e58);
+    left_1 = ((3.289868f * _e53) + (39.478416f * _e59));
+    let _e63 = whole_2;
+    let _e67 = left_1;
+    let _e70 = gabor_impl_pair(layer, field, (_e63 - ((1f - field.removed) * _e67)));
+    return _e70;
 }
 
-fn gabor_impl_filtered_waves(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
-    var steps_3: vec4<f32>;
+fn gabor_impl_filtered_waves(layer: GaborLayer) -> GaborPair {
     var place_17: GaborPlace;
-    var field_13: GaborField;
-    let _e4 = gabor_impl_radii(pixel, layer.at, layer.density);
-    steps_3 = _e4;
-    let _e8 = gabor_impl_place(layer.at, layer.density);
-    place_17 = _e8;
-    let _e10 = place_17;
-    let _e11 = steps_3;
-    let _e13 = steps_3;
-    let _e17 = gabor_field_filtered(_e10, _e11.xy, _e13.zw, layer.wave, layer.seed);
-    field_13 = _e17;
-    let _e19 = field_13;
-    let _e20 = steps_3;
-    let _e21 = gabor_impl_filtered_pair(layer, _e19, _e20);
-    return _e21;
+    let _e3 = gabor_impl_place(layer.at, layer.density);
+    place_17 = _e3;
+    let _e5 = place_17;
+    let _e16 = gabor_field_filtered(_e5, (layer.density * layer.at.dx), (layer.density * layer.at.dy), layer.wave, layer.seed);
+    let _e17 = gabor_impl_filtered_pair(layer, _e16);
+    return _e17;
 }
 
-fn gabor_impl_filtered_spots(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
-    var steps_4: vec4<f32>;
+fn gabor_impl_filtered_spots(layer: GaborLayer) -> GaborPair {
     var place_18: GaborPlace;
-    let _e4 = gabor_impl_radii(pixel, layer.at, layer.density);
-    steps_4 = _e4;
-    let _e8 = gabor_impl_place(layer.at, layer.density);
-    place_18 = _e8;
-    let _e10 = place_18;
-    let _e11 = steps_4;
-    let _e13 = steps_4;
-    let _e16 = gabor_impl_spots_filtered(_e10, _e11.xy, _e13.zw, layer.seed);
-    let _e17 = steps_4;
-    let _e18 = gabor_impl_filtered_pair(layer, _e16, _e17);
-    return _e18;
+    let _e3 = gabor_impl_place(layer.at, layer.density);
+    place_18 = _e3;
+    let _e5 = place_18;
+    let _e15 = gabor_impl_spots_filtered(_e5, (layer.density * layer.at.dx), (layer.density * layer.at.dy), layer.seed);
+    let _e16 = gabor_impl_filtered_pair(layer, _e15);
+    return _e16;
 }
 
-fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborLayer, pixel: GaborPixel) {
+fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborPairs>, layer: GaborLayer) {
     var pair_2: GaborPair;
-    let _e3 = gabor_impl_filtered_spots(layer, pixel);
-    pair_2 = _e3;
+    let _e2 = gabor_impl_filtered_spots(layer);
+    pair_2 = _e2;
     if (layer.slot == 0i) {
-        let _e9 = (*pairs);
-        let _e11 = pair_2;
-        let _e13 = gabor_impl_plus(_e9.a, _e11, layer.amplitude);
-        (*pairs).a = _e13;
+        let _e8 = (*sum);
+        let _e10 = pair_2;
+        let _e12 = gabor_impl_plus(_e8.a, _e10, layer.amplitude);
+        (*sum).a = _e12;
         return;
     } else {
         if (layer.slot == 1i) {
-            let _e18 = (*pairs);
-            let _e20 = pair_2;
-            let _e22 = gabor_impl_plus(_e18.b, _e20, layer.amplitude);
-            (*pairs).b = _e22;
+            let _e17 = (*sum);
+            let _e19 = pair_2;
+            let _e21 = gabor_impl_plus(_e17.b, _e19, layer.amplitude);
+            (*sum).b = _e21;
             return;
         } else {
             if (layer.slot == 2i) {
-                let _e27 = (*pairs);
-                let _e29 = pair_2;
-                let _e31 = gabor_impl_plus(_e27.c, _e29, layer.amplitude);
-                (*pairs).c = _e31;
+                let _e26 = (*sum);
+                let _e28 = pair_2;
+                let _e30 = gabor_impl_plus(_e26.c, _e28, layer.amplitude);
+                (*sum).c = _e30;
                 return;
             } else {
                 if (layer.slot == 3i) {
-                    let _e36 = (*pairs);
-                    let _e38 = pair_2;
-                    let _e40 = gabor_impl_plus(_e36.d, _e38, layer.amplitude);
-                    (*pairs).d = _e40;
+                    let _e35 = (*sum);
+                    let _e37 = pair_2;
+                    let _e39 = gabor_impl_plus(_e35.d, _e37, layer.amplitude);
+                    (*sum).d = _e39;
                     return;
                 } else {
-                    let _e42 = (*pairs);
-                    let _e44 = pair_2;
-                    let _e46 = gabor_impl_plus(_e42.e, _e44, layer.amplitude);
-                    (*pairs).e = _e46;
+                    let _e41 = (*sum);
+                    let _e43 = pair_2;
+                    let _e45 = gabor_impl_plus(_e41.e, _e43, layer.amplitude);
+                    (*sum).e = _e45;
                     return;
                 }
             }
@@ -1530,42 +1518,39 @@ fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, ro
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarped {
+fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborPixel {
     var bends: vec2<f32>;
-    var board: GaborWarped;
+    var board: GaborPixel;
     bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
-    let _e9 = gabor_impl_unwarped(pixel);
-    board = _e9;
-    let _e11 = board;
-    let _e15 = bends;
-    let _e20 = gabor_impl_warp(pixel, _e11, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e15.x, 0f), seed, 0i);
-    board = _e20;
-    let _e21 = board;
-    let _e25 = bends;
-    let _e30 = gabor_impl_warp(pixel, _e21, vec2<f32>(4f, 0.9f), vec2<f32>(_e25.y, 0f), seed, 1i);
-    return _e30;
+    let _e12 = bends;
+    let _e17 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e12.x, 0f), seed, 0i);
+    board = _e17;
+    let _e19 = board;
+    let _e23 = bends;
+    let _e28 = gabor_impl_warp(_e19, vec2<f32>(4f, 0.9f), vec2<f32>(_e23.y, 0f), seed, 1i);
+    return _e28;
 }
 
 // Pores, fibres and tone.
-fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u32) -> GaborLayer {
+fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborPixel, seed: u32) -> GaborLayer {
     var local_36: vec2<f32>;
     if (i == 2i) {
         let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
         return _e11;
     }
-    let _e12 = gabor_impl_unwarped(pixel);
     if (i == 0i) {
         local_36 = vec2<f32>(90f, 4.5f);
     } else {
         local_36 = vec2<f32>(150f, 2f);
     }
-    let _e22 = local_36;
-    let _e25 = gabor_impl_spots_layer(i, _e12, _e22, seed, (3i + i));
-    return _e25;
+    let _e21 = local_36;
+    let _e24 = gabor_impl_spots_layer(i, pixel, _e21, seed, (3i + i));
+    return _e24;
 }
 
-fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of_: GaborPairs, seed: u32) -> GaborMaterial {
-    var board_3: GaborWarped;
+fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u32) -> GaborMaterial {
+    var board_3: GaborPixel;
+    var rings: f32;
     var years: vec3<f32>;
     var kept_2: f32;
     var ring: vec3<f32>;
@@ -1580,111 +1565,112 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of_: 
     var depth: f32;
     var lost_4: vec3<f32>;
     board_3 = board;
-    let _e6 = board_3;
-    let _e16 = gabor_impl_warp(pixel, _e6, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), seed, 2i);
-    board_3 = _e16;
-    let _e19 = gabor_impl_repeated(pixel, wood.rings, 1f);
-    let _e21 = board_3;
-    let _e22 = gabor_impl_along_x(_e21);
-    years = (_e19.x * _e22);
-    let _e27 = years;
-    let _e28 = gabor_impl_steps(pixel, _e27);
-    kept_2 = (0.97f * exp(-(min((4.934802f * _e28), 40f))));
-    let _e36 = years;
-    let _e37 = kept_2;
-    let _e41 = gabor_impl_rise(_e36, vec3<f32>(_e37, 0f, 0f));
-    ring = _e41;
-    let _e50 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
-    pores = (wood.pores * _e50);
-    let _e58 = ring;
-    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
-    let _e62 = pores;
-    let _e63 = within_1;
-    let _e64 = gabor_impl_times(_e62, _e63);
-    deep = _e64;
-    let _e67 = ring;
-    let _e71 = pores;
-    early = ((1f - _e67.x) * (1f - _e71.x));
-    let _e76 = ring;
-    let _e80 = pores;
-    late = (_e76.x * (1f - (0.25f * _e80.x)));
-    let _e92 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.11f);
-    let _e99 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.13f);
-    tones = (_e92 + _e99);
-    let _e102 = early;
-    let _e104 = tones;
-    let _e105 = gabor_impl_toned(wood.early, _e104);
-    let _e107 = late;
-    let _e109 = tones;
-    let _e110 = gabor_impl_toned(wood.late, _e109);
-    let _e114 = deep;
-    colour_2 = (((_e102 * _e105) + (_e107 * _e110)) + ((0.45f * _e114.x) * wood.late));
-    let _e122 = ring;
-    let _e125 = deep;
-    height_1 = (((0.0006f * _e122) - (0.0024f * _e125)) + (0.0002f * of_.b.second));
-    let _e139 = within_1;
-    let _e141 = within_1;
-    let _e146 = kept_2;
-    let _e147 = kept_2;
-    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e139.x * _e141.x) + (0.05f * (1f - (_e146 * _e147)))));
-    let _e155 = years;
-    let _e157 = kept_2;
-    let _e159 = gabor_impl_rise_lost(_e155.x, _e157, 0.97f);
-    let _e161 = years;
-    let _e163 = gabor_impl_square(_e161.yz);
-    let _e170 = depth;
-    let _e179 = gabor_impl_above_lost(of_.a.second, of_.a.removed, of_.a.lost, 1.1f, 0.25f);
-    lost_4 = ((((0.00000036f * _e159) * _e163) + (0.00000004f * of_.b.lost)) + (_e170 * _e179));
-    let _e183 = colour_2;
-    let _e184 = height_1;
-    let _e185 = lost_4;
-    let _e189 = ring;
-    let _e195 = gabor_impl_material(_e183, _e184, _e185, (wood.roughness * (1f - (0.2f * _e189.x))), 0f);
-    return _e195;
+    let _e5 = board_3;
+    let _e15 = gabor_impl_warp(_e5, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), seed, 2i);
+    board_3 = _e15;
+    let _e16 = board_3;
+    let _e19 = gabor_impl_repeated(_e16, wood.rings, 1f);
+    rings = _e19.x;
+    let _e22 = rings;
+    let _e23 = board_3;
+    let _e24 = gabor_impl_along_x(_e23);
+    years = (_e22 * _e24);
+    let _e28 = board_3;
+    let _e29 = rings;
+    let _e30 = gabor_impl_sine_kept(_e28, _e29);
+    kept_2 = (0.97f * _e30);
+    let _e33 = years;
+    let _e34 = kept_2;
+    let _e38 = gabor_impl_rise(_e33, vec3<f32>(_e34, 0f, 0f));
+    ring = _e38;
+    let _e47 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
+    pores = (wood.pores * _e47);
+    let _e55 = ring;
+    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e55));
+    let _e59 = pores;
+    let _e60 = within_1;
+    let _e61 = gabor_impl_times(_e59, _e60);
+    deep = _e61;
+    let _e64 = ring;
+    let _e68 = pores;
+    early = ((1f - _e64.x) * (1f - _e68.x));
+    let _e73 = ring;
+    let _e77 = pores;
+    late = (_e73.x * (1f - (0.25f * _e77.x)));
+    let _e89 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.11f);
+    let _e96 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.13f);
+    tones = (_e89 + _e96);
+    let _e99 = early;
+    let _e101 = tones;
+    let _e102 = gabor_impl_toned(wood.early, _e101);
+    let _e104 = late;
+    let _e106 = tones;
+    let _e107 = gabor_impl_toned(wood.late, _e106);
+    let _e111 = deep;
+    colour_2 = (((_e99 * _e102) + (_e104 * _e107)) + ((0.45f * _e111.x) * wood.late));
+    let _e119 = ring;
+    let _e122 = deep;
+    height_1 = (((0.0006f * _e119) - (0.0024f * _e122)) + (0.0002f * of_.b.second));
+    let _e136 = within_1;
+    let _e138 = within_1;
+    let _e143 = kept_2;
+    let _e144 = kept_2;
+    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e136.x * _e138.x) + (0.05f * (1f - (_e143 * _e144)))));
+    let _e152 = years;
+    let _e154 = kept_2;
+    let _e156 = gabor_impl_rise_lost(_e152.x, _e154, 0.97f);
+    let _e158 = years;
+    let _e160 = gabor_impl_square(_e158.yz);
+    let _e167 = depth;
+    let _e176 = gabor_impl_above_lost(of_.a.second, of_.a.removed, of_.a.lost, 1.1f, 0.25f);
+    lost_4 = ((((0.00000036f * _e156) * _e160) + (0.00000004f * of_.b.lost)) + (_e167 * _e176));
+    let _e180 = colour_2;
+    let _e181 = height_1;
+    let _e182 = lost_4;
+    let _e186 = ring;
+    let _e192 = gabor_impl_material(_e180, _e181, _e182, (wood.roughness * (1f - (0.2f * _e186.x))), 0f);
+    return _e192;
 }
 
 fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_11: GaborPixel;
-    var board_4: GaborWarped;
+    var pixel_3: GaborPixel;
+    var board_4: GaborPixel;
     var of_1: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_11 = _e8;
-    let _e10 = pixel_11;
+    pixel_3 = _e8;
+    let _e10 = pixel_3;
     let _e11 = gabor_impl_board(_e10, wood, seed);
     board_4 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_1 = _e13;
-    let _e17 = pixel_11;
+    let _e17 = pixel_3;
     let _e18 = board_4;
     let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
     let _e20 = gabor_impl_spots_pair(_e19);
     of_1.a = _e20;
-    let _e23 = pixel_11;
+    let _e23 = pixel_3;
     let _e24 = board_4;
     let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
     let _e26 = gabor_impl_spots_pair(_e25);
     of_1.b = _e26;
-    let _e29 = pixel_11;
+    let _e29 = pixel_3;
     let _e30 = board_4;
     let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
     let _e32 = gabor_impl_spots_pair(_e31);
     of_1.c = _e32;
-    let _e33 = pixel_11;
-    let _e34 = board_4;
-    let _e35 = of_1;
-    let _e36 = gabor_impl_wood(_e33, _e34, wood, _e35, seed);
-    return _e36;
+    let _e33 = board_4;
+    let _e34 = of_1;
+    let _e35 = gabor_impl_wood(_e33, wood, _e34, seed);
+    return _e35;
 }
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; x and y are positions along them.
-fn gabor_impl_pixel_spread(pixel: GaborPixel, x: vec3<f32>, y: vec3<f32>) -> f32 {
-    let _e4 = gabor_impl_steps(pixel, x);
-    let _e5 = gabor_impl_steps(pixel, y);
-    return sqrt((0.125f * (_e4 + _e5)));
+// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+fn gabor_impl_sample_spread(dx: vec2<f32>, dy: vec2<f32>) -> f32 {
+    return sqrt((0.125f * (dot(dx, dx) + dot(dy, dy))));
 }
 
 // The number of samples for that standard deviation.
@@ -1699,30 +1685,24 @@ fn gabor_impl_samples(spread: f32) -> i32 {
     return _e6;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along x and y they are quantiles of a normal distribution.
-fn gabor_impl_sample(pixel: GaborPixel, i: i32, count: i32) -> vec2<f32> {
+// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
+fn gabor_impl_sample(dx: vec2<f32>, dy: vec2<f32>, i: i32, count: i32) -> vec2<f32> {
     var at_9: vec2<f32>;
     var local_38: vec2<f32>;
     at_9 = ((0.125f * vec2<f32>(f32(i), f32((((7i * i) + 10i) % 16i)))) - vec2(0.9375f));
-    let _e18 = at_9;
-    let _e21 = at_9;
-    let _e23 = at_9;
-    at_9 = (_e18 * (vec2(0.5566f) + ((0.507f * _e21) * _e23)));
+    let _e19 = at_9;
+    let _e22 = at_9;
+    let _e24 = at_9;
+    at_9 = (_e19 * (vec2(0.5566f) + ((0.507f * _e22) * _e24)));
     if (count > 1i) {
-        let _e30 = at_9;
+        let _e31 = at_9;
         let _e34 = at_9;
-        local_38 = ((_e30.x * pixel.dx) + (_e34.y * pixel.dy));
+        local_38 = ((_e31.x * dx) + (_e34.y * dy));
     } else {
         local_38 = vec2(0f);
     }
-    let _e42 = local_38;
-    return _e42;
-}
-
-// A value with derivatives, at an offset.
-fn gabor_impl_moved(a: vec3<f32>, offset: vec2<f32>) -> vec3<f32> {
-    let _e6 = a.yz;
-    return vec3<f32>((a.x + dot(a.yz, offset)), _e6.x, _e6.y);
+    let _e41 = local_38;
+    return _e41;
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -1746,18 +1726,17 @@ fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborWarped {
-    let _e3 = gabor_impl_unwarped(pixel);
-    let _e11 = gabor_impl_warp(pixel, _e3, vec2(0.7f), vec2((0.02f * fabric.unevenness)), seed, 0i);
-    return _e11;
+fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborPixel {
+    let _e10 = gabor_impl_warp(pixel, vec2(0.7f), vec2((0.02f * fabric.unevenness)), seed, 0i);
+    return _e10;
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
+fn gabor_impl_fabric_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) -> GaborLayer {
     var local_40: vec2<f32>;
     var local_41: vec2<f32>;
     var local_42: vec2<f32>;
-    var density_6: vec2<f32>;
+    var density_5: vec2<f32>;
     if (i == 0i) {
         local_42 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
@@ -1776,8 +1755,8 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
         local_42 = _e31;
     }
     let _e33 = local_42;
-    density_6 = _e33;
-    let _e35 = density_6;
+    density_5 = _e33;
+    let _e35 = density_5;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
     return _e38;
 }
@@ -1804,12 +1783,12 @@ fn gabor_impl_threads(pixel: GaborPixel, fabric: GaborFabric) -> vec2<f32> {
 
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
 fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
-    var x_27: f32;
+    var x_26: f32;
     var local_45: f32;
     var local_46: f32;
-    x_27 = x;
+    x_26 = x;
     if (weave < 0.5f) {
-        let _e7 = x_27;
+        let _e7 = x_26;
         if (fract((0.5f * (_e7 + y))) > 0.25f) {
             local_45 = -1f;
         } else {
@@ -1819,10 +1798,10 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
         return _e17;
     }
     if (weave > 1.5f) {
-        let _e22 = x_27;
-        x_27 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
+        let _e22 = x_26;
+        x_26 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
     }
-    let _e32 = x_27;
+    let _e32 = x_26;
     if (fract(((0.25f * (_e32 + y)) + 0.125f)) < 0.5f) {
         local_46 = 1f;
     } else {
@@ -1877,11 +1856,13 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
     var uneven: f32;
     var unit_5: f32;
     var at_x: vec3<f32>;
     var at_y: vec3<f32>;
+    var dx_10: vec2<f32>;
+    var dy_10: vec2<f32>;
     var spread_2: f32;
     var kept_4: f32;
     var warp_tones: vec2<f32>;
@@ -1893,9 +1874,9 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var lost_6: vec3<f32> = vec3(0f);
     var samples: i32;
     var i_13: i32 = 0i;
-    var offset_3: vec2<f32>;
-    var x_28: vec3<f32>;
-    var y_20: vec3<f32>;
+    var offset_2: vec2<f32>;
+    var x_27: vec3<f32>;
+    var y_19: vec3<f32>;
     var thread: vec2<f32>;
     var over: f32;
     var local_50: f32;
@@ -1921,302 +1902,302 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var swing: f32;
     uneven = fabric.unevenness;
     unit_5 = (fabric.relief / fabric.threads);
-    let _e12 = gabor_impl_along_x(cloth);
-    at_x = (count.x * _e12);
-    let _e16 = gabor_impl_along_y(cloth);
-    at_y = (count.y * _e16);
-    let _e19 = at_x;
-    let _e20 = at_y;
-    let _e21 = gabor_impl_pixel_spread(pixel, _e19, _e20);
-    spread_2 = _e21;
-    let _e26 = spread_2;
-    kept_4 = (1f - smoothstep(0.3f, 0.7f, _e26));
-    let _e30 = at_x;
-    let _e32 = uneven;
-    at_x = (_e30 + ((0.13f * _e32) * of_.a.first));
-    let _e38 = at_y;
-    let _e40 = uneven;
-    at_y = (_e38 + ((0.13f * _e40) * of_.b.first));
-    let _e52 = uneven;
-    let _e54 = gabor_impl_tone(of_.a.first.x, of_.a.removed, (0.09f * _e52));
-    let _e61 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.12f);
-    warp_tones = (_e54 + _e61);
-    let _e70 = uneven;
-    let _e72 = gabor_impl_tone(of_.b.first.x, of_.b.removed, (0.09f * _e70));
-    let _e79 = gabor_impl_tone(of_.d.second.x, of_.d.removed, 0.12f);
-    weft_tones = (_e72 + _e79);
-    let _e83 = warp_tones;
-    let _e84 = gabor_impl_toned(fabric.warp, _e83);
-    warp = _e84;
-    let _e87 = weft_tones;
-    let _e88 = gabor_impl_toned(fabric.weft, _e87);
-    weft = _e88;
-    let _e99 = spread_2;
-    let _e100 = gabor_impl_samples(_e99);
-    samples = _e100;
+    let _e11 = gabor_impl_along_x(cloth);
+    at_x = (count.x * _e11);
+    let _e15 = gabor_impl_along_y(cloth);
+    at_y = (count.y * _e15);
+    dx_10 = (count * cloth.dx);
+    dy_10 = (count * cloth.dy);
+    let _e24 = dx_10;
+    let _e25 = dy_10;
+    let _e26 = gabor_impl_sample_spread(_e24, _e25);
+    spread_2 = _e26;
+    let _e31 = spread_2;
+    kept_4 = (1f - smoothstep(0.3f, 0.7f, _e31));
+    let _e35 = at_x;
+    let _e37 = uneven;
+    at_x = (_e35 + ((0.13f * _e37) * of_.a.first));
+    let _e43 = at_y;
+    let _e45 = uneven;
+    at_y = (_e43 + ((0.13f * _e45) * of_.b.first));
+    let _e57 = uneven;
+    let _e59 = gabor_impl_tone(of_.a.first.x, of_.a.removed, (0.09f * _e57));
+    let _e66 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.12f);
+    warp_tones = (_e59 + _e66);
+    let _e75 = uneven;
+    let _e77 = gabor_impl_tone(of_.b.first.x, of_.b.removed, (0.09f * _e75));
+    let _e84 = gabor_impl_tone(of_.d.second.x, of_.d.removed, 0.12f);
+    weft_tones = (_e77 + _e84);
+    let _e88 = warp_tones;
+    let _e89 = gabor_impl_toned(fabric.warp, _e88);
+    warp = _e89;
+    let _e92 = weft_tones;
+    let _e93 = gabor_impl_toned(fabric.weft, _e92);
+    weft = _e93;
+    let _e104 = spread_2;
+    let _e105 = gabor_impl_samples(_e104);
+    samples = _e105;
     loop {
-        let _e104 = i_13;
-        let _e105 = samples;
-        if !((_e104 < _e105)) {
+        let _e109 = i_13;
+        let _e110 = samples;
+        if !((_e109 < _e110)) {
             break;
         }
         {
-            let _e111 = i_13;
-            let _e112 = samples;
-            let _e113 = gabor_impl_sample(pixel, _e111, _e112);
-            offset_3 = _e113;
-            let _e115 = at_x;
-            let _e116 = offset_3;
-            let _e117 = gabor_impl_moved(_e115, _e116);
-            x_28 = _e117;
-            let _e119 = at_y;
-            let _e120 = offset_3;
-            let _e121 = gabor_impl_moved(_e119, _e120);
-            y_20 = _e121;
-            let _e123 = x_28;
-            let _e125 = y_20;
-            thread = floor(vec2<f32>(_e123.x, _e125.x));
-            let _e131 = x_28;
-            let _e133 = thread;
-            x_28.x = (_e131.x - (_e133.x + 0.5f));
-            let _e139 = y_20;
-            let _e141 = thread;
-            y_20.x = (_e139.x - (_e141.y + 0.5f));
-            let _e146 = thread;
+            let _e116 = dx_10;
+            let _e117 = dy_10;
+            let _e118 = i_13;
+            let _e119 = samples;
+            let _e120 = gabor_impl_sample(_e116, _e117, _e118, _e119);
+            offset_2 = _e120;
+            let _e122 = at_x;
+            let _e123 = offset_2;
+            x_27 = (_e122 + vec3<f32>(_e123.x, 0f, 0f));
+            let _e130 = at_y;
+            let _e131 = offset_2;
+            y_19 = (_e130 + vec3<f32>(_e131.y, 0f, 0f));
+            let _e138 = x_27;
+            let _e140 = y_19;
+            thread = floor(vec2<f32>(_e138.x, _e140.x));
+            let _e146 = x_27;
             let _e148 = thread;
-            let _e151 = gabor_impl_over(_e146.x, _e148.y, fabric.weave);
-            over = _e151;
-            let _e153 = over;
-            let _e154 = thread;
+            x_27.x = (_e146.x - (_e148.x + 0.5f));
+            let _e154 = y_19;
             let _e156 = thread;
-            let _e158 = y_20;
-            if (_e158.x < 0f) {
+            y_19.x = (_e154.x - (_e156.y + 0.5f));
+            let _e161 = thread;
+            let _e163 = thread;
+            let _e166 = gabor_impl_over(_e161.x, _e163.y, fabric.weave);
+            over = _e166;
+            let _e168 = over;
+            let _e169 = thread;
+            let _e171 = thread;
+            let _e173 = y_19;
+            if (_e173.x < 0f) {
                 local_50 = -1f;
             } else {
                 local_50 = 1f;
             }
-            let _e166 = local_50;
-            let _e169 = gabor_impl_over(_e154.x, (_e156.y + _e166), fabric.weave);
-            level_y = (_e153 == _e169);
-            let _e172 = over;
-            let _e173 = thread;
-            let _e175 = x_28;
-            if (_e175.x < 0f) {
+            let _e181 = local_50;
+            let _e184 = gabor_impl_over(_e169.x, (_e171.y + _e181), fabric.weave);
+            level_y = (_e168 == _e184);
+            let _e187 = over;
+            let _e188 = thread;
+            let _e190 = x_27;
+            if (_e190.x < 0f) {
                 local_51 = -1f;
             } else {
                 local_51 = 1f;
             }
-            let _e183 = local_51;
-            let _e185 = thread;
-            let _e188 = gabor_impl_over((_e173.x + _e183), _e185.y, fabric.weave);
-            level_x = (_e172 == _e188);
-            let _e191 = x_28;
-            let _e197 = uneven;
-            let _e203 = y_20;
-            let _e204 = over;
-            let _e205 = level_y;
-            let _e206 = gabor_impl_thread(_e191, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e197) * of_.a.second)), _e203, _e204, _e205);
-            along_y_6 = _e206;
-            let _e208 = y_20;
-            let _e214 = uneven;
-            let _e220 = x_28;
-            let _e221 = over;
-            let _e223 = level_x;
-            let _e224 = gabor_impl_thread(_e208, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e214) * of_.b.second)), _e220, -(_e221), _e223);
-            along_x_4 = _e224;
-            let _e226 = along_y_6;
-            let _e228 = along_x_4;
-            first_3 = (_e226.x > _e228.x);
-            let _e232 = first_3;
-            if _e232 {
-                let _e233 = along_y_6;
-                local_52 = _e233;
+            let _e198 = local_51;
+            let _e200 = thread;
+            let _e203 = gabor_impl_over((_e188.x + _e198), _e200.y, fabric.weave);
+            level_x = (_e187 == _e203);
+            let _e206 = x_27;
+            let _e212 = uneven;
+            let _e218 = y_19;
+            let _e219 = over;
+            let _e220 = level_y;
+            let _e221 = gabor_impl_thread(_e206, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e212) * of_.a.second)), _e218, _e219, _e220);
+            along_y_6 = _e221;
+            let _e223 = y_19;
+            let _e229 = uneven;
+            let _e235 = x_27;
+            let _e236 = over;
+            let _e238 = level_x;
+            let _e239 = gabor_impl_thread(_e223, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e229) * of_.b.second)), _e235, -(_e236), _e238);
+            along_x_4 = _e239;
+            let _e241 = along_y_6;
+            let _e243 = along_x_4;
+            first_3 = (_e241.x > _e243.x);
+            let _e247 = first_3;
+            if _e247 {
+                let _e248 = along_y_6;
+                local_52 = _e248;
             } else {
-                let _e234 = along_x_4;
-                local_52 = _e234;
+                let _e249 = along_x_4;
+                local_52 = _e249;
             }
-            let _e236 = local_52;
-            top = _e236;
-            let _e238 = top;
-            if (_e238.x < -1.3f) {
+            let _e251 = local_52;
+            top = _e251;
+            let _e253 = top;
+            if (_e253.x < -1.3f) {
                 top = vec3<f32>(-1.3f, 0f, 0f);
             }
-            let _e248 = colour_3;
-            let _e254 = top;
-            let _e258 = first_3;
-            if _e258 {
-                let _e259 = warp;
-                local_53 = _e259;
+            let _e263 = colour_3;
+            let _e269 = top;
+            let _e273 = first_3;
+            if _e273 {
+                let _e274 = warp;
+                local_53 = _e274;
             } else {
-                let _e260 = weft;
-                local_53 = _e260;
+                let _e275 = weft;
+                local_53 = _e275;
             }
-            let _e262 = local_53;
-            colour_3 = (_e248 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e254.x)) * _e262));
-            let _e266 = top;
-            let _e269 = first_3;
-            if _e269 {
+            let _e277 = local_53;
+            colour_3 = (_e263 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e269.x)) * _e277));
+            let _e281 = top;
+            let _e284 = first_3;
+            if _e284 {
                 local_54 = of_.c.second;
             } else {
                 local_54 = of_.d.second;
             }
-            let _e275 = local_54;
-            top = ((0.3f * _e266) + (0.035f * _e275));
-            let _e278 = height_3;
-            let _e279 = top;
-            height_3 = (_e278 + _e279);
-            let _e281 = lost_6;
-            let _e282 = top;
-            let _e284 = gabor_impl_square(_e282.yz);
-            lost_6 = (_e281 + _e284);
+            let _e290 = local_54;
+            top = ((0.3f * _e281) + (0.035f * _e290));
+            let _e293 = height_3;
+            let _e294 = top;
+            height_3 = (_e293 + _e294);
+            let _e296 = lost_6;
+            let _e297 = top;
+            let _e299 = gabor_impl_square(_e297.yz);
+            lost_6 = (_e296 + _e299);
         }
         continuing {
-            let _e108 = i_13;
-            i_13 = (_e108 + 1i);
+            let _e113 = i_13;
+            i_13 = (_e113 + 1i);
         }
     }
-    let _e288 = uneven;
-    let _e290 = uneven;
-    let _e295 = uneven;
-    let _e297 = uneven;
-    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e288) * _e290)), (0.0406f + ((0.0025f * _e295) * _e297)), 0.29f);
+    let _e303 = uneven;
+    let _e305 = uneven;
+    let _e310 = uneven;
+    let _e312 = uneven;
+    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e303) * _e305)), (0.0406f + ((0.0025f * _e310) * _e312)), 0.29f);
     if (fabric.weave >= 0.5f) {
-        let _e307 = uneven;
-        let _e310 = uneven;
-        mean_8 = vec3<f32>((0.91f - (_e307 * (0.0105f + (0.0045f * _e310)))), 0.0655f, 0.37f);
+        let _e322 = uneven;
+        let _e325 = uneven;
+        mean_8 = vec3<f32>((0.91f - (_e322 * (0.0105f + (0.0045f * _e325)))), 0.0655f, 0.37f);
     }
-    let _e320 = samples;
-    let _e321 = kept_4;
-    let _e322 = mean_8;
-    let _e324 = mean_8;
-    let _e327 = ((_e324.z * count) * count);
-    gabor_impl_average((&height_3), (&lost_6), _e320, _e321, _e322.y, vec3<f32>(_e327.x, _e327.y, 0f));
-    let _e335 = mean_8;
-    let _e338 = warp;
-    let _e339 = weft;
-    let _e342 = colour_3;
-    let _e343 = samples;
-    let _e347 = kept_4;
-    colour_3 = mix(((0.5f * _e335.x) * (_e338 + _e339)), (_e342 / vec3(f32(_e343))), vec3(_e347));
-    let _e350 = height_3;
-    let _e351 = unit_5;
-    height_3 = (_e350 * _e351);
-    let _e353 = unit_5;
-    let _e354 = unit_5;
-    let _e356 = lost_6;
-    lost_6 = ((_e353 * _e354) * (_e356 + (0.0006125f * (of_.c.lost + of_.d.lost))));
+    let _e335 = samples;
+    let _e336 = kept_4;
+    let _e337 = mean_8;
+    let _e339 = mean_8;
+    let _e342 = ((_e339.z * count) * count);
+    gabor_impl_average((&height_3), (&lost_6), _e335, _e336, _e337.y, vec3<f32>(_e342.x, _e342.y, 0f));
+    let _e350 = mean_8;
+    let _e353 = warp;
+    let _e354 = weft;
+    let _e357 = colour_3;
+    let _e358 = samples;
+    let _e362 = kept_4;
+    colour_3 = mix(((0.5f * _e350.x) * (_e353 + _e354)), (_e357 / vec3(f32(_e358))), vec3(_e362));
+    let _e365 = height_3;
+    let _e366 = unit_5;
+    height_3 = (_e365 * _e366);
+    let _e368 = unit_5;
+    let _e369 = unit_5;
+    let _e371 = lost_6;
+    lost_6 = ((_e368 * _e369) * (_e371 + (0.0006125f * (of_.c.lost + of_.d.lost))));
     if (fabric.cords > 0f) {
         {
-            let _e371 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            cords = _e371.x;
-            let _e374 = cords;
-            let _e375 = gabor_impl_along_x(cloth);
-            at_10 = (_e374 * _e375);
-            let _e379 = at_10;
-            let _e380 = gabor_impl_steps(pixel, _e379);
-            damped_2 = exp(-(min((4.934802f * _e380), 20f)));
-            let _e388 = damped_2;
-            half_cord = (0.5f * _e388);
-            let _e392 = damped_2;
-            let _e394 = damped_2;
-            let _e396 = damped_2;
-            let _e398 = damped_2;
-            second_3 = ((((0.125f * _e392) * _e394) * _e396) * _e398);
-            let _e402 = at_10;
-            turn_13 = (6.2831855f * fract(_e402.x));
-            let _e408 = half_cord;
-            let _e409 = turn_13;
-            let _e413 = second_3;
-            let _e415 = turn_13;
-            cord = ((0.625f - (_e408 * cos(_e409))) - (_e413 * cos((2f * _e415))));
-            let _e424 = cords;
-            depth_1 = ((0.3f * fabric.relief) / _e424);
-            let _e427 = depth_1;
-            swing = (_e427 * 6.2831855f);
-            let _e431 = colour_3;
-            let _e434 = cord;
-            colour_3 = (_e431 * mix(0.3f, 1f, _e434));
-            let _e437 = height_3;
-            let _e438 = depth_1;
-            let _e439 = cord;
-            let _e441 = swing;
-            let _e442 = half_cord;
-            let _e443 = turn_13;
-            let _e447 = second_3;
-            let _e450 = turn_13;
-            let _e456 = at_10;
-            let _e458 = ((_e441 * ((_e442 * sin(_e443)) + ((2f * _e447) * sin((2f * _e450))))) * _e456.yz);
-            height_3 = (_e437 + vec3<f32>((_e438 * _e439), _e458.x, _e458.y));
-            let _e463 = lost_6;
-            let _e464 = swing;
-            let _e465 = swing;
-            let _e469 = half_cord;
-            let _e471 = half_cord;
-            let _e475 = second_3;
-            let _e477 = second_3;
-            let _e481 = at_10;
-            let _e483 = gabor_impl_square(_e481.yz);
-            lost_6 = (_e463 + (((_e464 * _e465) * ((0.15625f - ((0.5f * _e469) * _e471)) - ((2f * _e475) * _e477))) * _e483));
+            let _e386 = gabor_impl_repeated(cloth, fabric.cords, 1f);
+            cords = _e386.x;
+            let _e389 = cords;
+            let _e390 = gabor_impl_along_x(cloth);
+            at_10 = (_e389 * _e390);
+            let _e393 = cords;
+            let _e394 = gabor_impl_sine_kept(cloth, _e393);
+            damped_2 = _e394;
+            let _e397 = damped_2;
+            half_cord = (0.5f * _e397);
+            let _e401 = damped_2;
+            let _e403 = damped_2;
+            let _e405 = damped_2;
+            let _e407 = damped_2;
+            second_3 = ((((0.125f * _e401) * _e403) * _e405) * _e407);
+            let _e411 = at_10;
+            turn_13 = (6.2831855f * fract(_e411.x));
+            let _e417 = half_cord;
+            let _e418 = turn_13;
+            let _e422 = second_3;
+            let _e424 = turn_13;
+            cord = ((0.625f - (_e417 * cos(_e418))) - (_e422 * cos((2f * _e424))));
+            let _e433 = cords;
+            depth_1 = ((0.3f * fabric.relief) / _e433);
+            let _e436 = depth_1;
+            swing = (_e436 * 6.2831855f);
+            let _e440 = colour_3;
+            let _e443 = cord;
+            colour_3 = (_e440 * mix(0.3f, 1f, _e443));
+            let _e446 = height_3;
+            let _e447 = depth_1;
+            let _e448 = cord;
+            let _e450 = swing;
+            let _e451 = half_cord;
+            let _e452 = turn_13;
+            let _e456 = second_3;
+            let _e459 = turn_13;
+            let _e465 = at_10;
+            let _e467 = ((_e450 * ((_e451 * sin(_e452)) + ((2f * _e456) * sin((2f * _e459))))) * _e465.yz);
+            height_3 = (_e446 + vec3<f32>((_e447 * _e448), _e467.x, _e467.y));
+            let _e472 = lost_6;
+            let _e473 = swing;
+            let _e474 = swing;
+            let _e478 = half_cord;
+            let _e480 = half_cord;
+            let _e484 = second_3;
+            let _e486 = second_3;
+            let _e490 = at_10;
+            let _e492 = gabor_impl_square(_e490.yz);
+            lost_6 = (_e472 + (((_e473 * _e474) * ((0.15625f - ((0.5f * _e478) * _e480)) - ((2f * _e484) * _e486))) * _e492));
         }
     }
-    let _e486 = colour_3;
-    let _e487 = height_3;
-    let _e488 = lost_6;
-    let _e491 = gabor_impl_material(_e486, _e487, _e488, fabric.roughness, 0f);
-    return _e491;
+    let _e495 = colour_3;
+    let _e496 = height_3;
+    let _e497 = lost_6;
+    let _e500 = gabor_impl_material(_e495, _e496, _e497, fabric.roughness, 0f);
+    return _e500;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_17: GaborPixel;
-    var cloth_2: GaborWarped;
-    var count_6: vec2<f32>;
+    var pixel_6: GaborPixel;
+    var cloth_2: GaborPixel;
+    var count_7: vec2<f32>;
     var of_3: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_17 = _e8;
-    let _e10 = pixel_17;
+    pixel_6 = _e8;
+    let _e10 = pixel_6;
     let _e11 = gabor_impl_cloth(_e10, fabric, seed);
     cloth_2 = _e11;
-    let _e13 = pixel_17;
+    let _e13 = pixel_6;
     let _e14 = gabor_impl_threads(_e13, fabric);
-    count_6 = _e14;
+    count_7 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_3 = _e16;
     let _e20 = cloth_2;
-    let _e21 = count_6;
+    let _e21 = count_7;
     let _e22 = gabor_impl_fabric_layer(0i, _e20, _e21, seed);
     let _e23 = gabor_impl_spots_pair(_e22);
     of_3.a = _e23;
     let _e26 = cloth_2;
-    let _e27 = count_6;
+    let _e27 = count_7;
     let _e28 = gabor_impl_fabric_layer(1i, _e26, _e27, seed);
     let _e29 = gabor_impl_spots_pair(_e28);
     of_3.b = _e29;
     let _e32 = cloth_2;
-    let _e33 = count_6;
+    let _e33 = count_7;
     let _e34 = gabor_impl_fabric_layer(2i, _e32, _e33, seed);
     let _e35 = gabor_impl_spots_pair(_e34);
     of_3.c = _e35;
     let _e38 = cloth_2;
-    let _e39 = count_6;
+    let _e39 = count_7;
     let _e40 = gabor_impl_fabric_layer(3i, _e38, _e39, seed);
     let _e41 = gabor_impl_spots_pair(_e40);
     of_3.d = _e41;
-    let _e42 = pixel_17;
-    let _e43 = cloth_2;
-    let _e44 = count_6;
-    let _e45 = of_3;
-    let _e46 = gabor_impl_fabric(_e42, _e43, _e44, fabric, _e45);
-    return _e46;
+    let _e42 = cloth_2;
+    let _e43 = count_7;
+    let _e44 = of_3;
+    let _e45 = gabor_impl_fabric(_e42, _e43, fabric, _e44);
+    return _e45;
 }
 
-fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
-    let _e2 = gabor_impl_unwarped(pixel);
-    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.8f), vec2(0.008f), seed, 0i);
-    return _e8;
+fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborPixel {
+    let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), seed, 0i);
+    return _e7;
 }
 
 // The fibres of tows along y and x.
-fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
+fn gabor_impl_tow_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) -> GaborLayer {
     var local_55: vec2<f32>;
     if (i == 0i) {
         local_55 = vec2<f32>(20f, 0.6f);
@@ -2229,9 +2210,11 @@ fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32)
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
     var at_x_1: vec3<f32>;
     var at_y_1: vec3<f32>;
+    var dx_11: vec2<f32>;
+    var dy_11: vec2<f32>;
     var spread_3: f32;
     var kept_5: f32;
     var unit_6: f32;
@@ -2242,9 +2225,9 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var lost_7: vec3<f32> = vec3(0f);
     var samples_1: i32;
     var i_15: i32 = 0i;
-    var offset_4: vec2<f32>;
-    var x_29: vec3<f32>;
-    var y_21: vec3<f32>;
+    var offset_3: vec2<f32>;
+    var x_28: vec3<f32>;
+    var y_20: vec3<f32>;
     var turn_14: f32;
     var first_4: bool;
     var local_56: vec3<f32>;
@@ -2253,290 +2236,284 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var across_3: vec3<f32>;
     var local_58: f32;
     var cube: f32;
+    var low_1: f32;
     var arch: f32;
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
     var local_59: vec3<f32>;
     var local_60: vec3<f32>;
-    let _e6 = gabor_impl_along_x(cloth);
-    at_x_1 = (count.x * _e6);
-    let _e10 = gabor_impl_along_y(cloth);
-    at_y_1 = (count.y * _e10);
-    let _e13 = at_x_1;
-    let _e14 = at_y_1;
-    let _e15 = gabor_impl_pixel_spread(pixel, _e13, _e14);
-    spread_3 = _e15;
-    let _e20 = spread_3;
-    kept_5 = (1f - smoothstep(0.5f, 1f, _e20));
+    let _e5 = gabor_impl_along_x(cloth);
+    at_x_1 = (count.x * _e5);
+    let _e9 = gabor_impl_along_y(cloth);
+    at_y_1 = (count.y * _e9);
+    dx_11 = (count * cloth.dx);
+    dy_11 = (count * cloth.dy);
+    let _e18 = dx_11;
+    let _e19 = dy_11;
+    let _e20 = gabor_impl_sample_spread(_e18, _e19);
+    spread_3 = _e20;
+    let _e25 = spread_3;
+    kept_5 = (1f - smoothstep(0.5f, 1f, _e25));
     unit_6 = (fibres.relief / fibres.tows);
-    let _e35 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.contrast);
-    let _e36 = gabor_impl_toned(fibres.colour, _e35);
-    warp_1 = _e36;
-    let _e45 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.contrast);
-    let _e46 = gabor_impl_toned(fibres.colour, _e45);
-    weft_1 = _e46;
-    let _e57 = spread_3;
-    let _e58 = gabor_impl_samples(_e57);
-    samples_1 = _e58;
+    let _e40 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.contrast);
+    let _e41 = gabor_impl_toned(fibres.colour, _e40);
+    warp_1 = _e41;
+    let _e50 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.contrast);
+    let _e51 = gabor_impl_toned(fibres.colour, _e50);
+    weft_1 = _e51;
+    let _e62 = spread_3;
+    let _e63 = gabor_impl_samples(_e62);
+    samples_1 = _e63;
     loop {
-        let _e62 = i_15;
-        let _e63 = samples_1;
-        if !((_e62 < _e63)) {
+        let _e67 = i_15;
+        let _e68 = samples_1;
+        if !((_e67 < _e68)) {
             break;
         }
         {
-            let _e69 = i_15;
-            let _e70 = samples_1;
-            let _e71 = gabor_impl_sample(pixel, _e69, _e70);
-            offset_4 = _e71;
-            let _e73 = at_x_1;
-            let _e74 = offset_4;
-            let _e75 = gabor_impl_moved(_e73, _e74);
-            x_29 = _e75;
-            let _e77 = at_y_1;
-            let _e78 = offset_4;
-            let _e79 = gabor_impl_moved(_e77, _e78);
-            y_21 = _e79;
-            let _e83 = x_29;
-            let _e86 = y_21;
-            turn_14 = ((4f * fract(((0.25f * (floor(_e83.x) + floor(_e86.x))) + 0.125f))) - 0.5f);
-            let _e99 = x_29;
-            let _e101 = x_29;
-            x_29.x = (_e99.x - floor(_e101.x));
-            let _e106 = y_21;
-            let _e108 = y_21;
-            y_21.x = (_e106.x - floor(_e108.x));
-            let _e112 = turn_14;
-            first_4 = (_e112 < 1.5f);
-            let _e117 = first_4;
-            if _e117 {
-                let _e118 = y_21;
-                local_56 = _e118;
+            let _e74 = dx_11;
+            let _e75 = dy_11;
+            let _e76 = i_15;
+            let _e77 = samples_1;
+            let _e78 = gabor_impl_sample(_e74, _e75, _e76, _e77);
+            offset_3 = _e78;
+            let _e80 = at_x_1;
+            let _e81 = offset_3;
+            x_28 = (_e80 + vec3<f32>(_e81.x, 0f, 0f));
+            let _e88 = at_y_1;
+            let _e89 = offset_3;
+            y_20 = (_e88 + vec3<f32>(_e89.y, 0f, 0f));
+            let _e98 = x_28;
+            let _e101 = y_20;
+            turn_14 = ((4f * fract(((0.25f * (floor(_e98.x) + floor(_e101.x))) + 0.125f))) - 0.5f);
+            let _e114 = x_28;
+            let _e116 = x_28;
+            x_28.x = (_e114.x - floor(_e116.x));
+            let _e121 = y_20;
+            let _e123 = y_20;
+            y_20.x = (_e121.x - floor(_e123.x));
+            let _e127 = turn_14;
+            first_4 = (_e127 < 1.5f);
+            let _e132 = first_4;
+            if _e132 {
+                let _e133 = y_20;
+                local_56 = _e133;
             } else {
-                let _e119 = x_29;
-                local_56 = _e119;
+                let _e134 = x_28;
+                local_56 = _e134;
             }
-            let _e121 = local_56;
-            along_3 = (0.5f * _e121);
-            let _e125 = first_4;
-            if _e125 {
-                let _e126 = x_29;
-                local_57 = _e126;
+            let _e136 = local_56;
+            along_3 = (0.5f * _e136);
+            let _e140 = first_4;
+            if _e140 {
+                let _e141 = x_28;
+                local_57 = _e141;
             } else {
-                let _e127 = y_21;
-                local_57 = _e127;
+                let _e142 = y_20;
+                local_57 = _e142;
             }
-            let _e129 = local_57;
-            across_3 = (2f * _e129);
-            let _e133 = along_3;
-            let _e136 = turn_14;
-            if (fract(((0.5f * _e136) + 0.25f)) < 0.5f) {
+            let _e144 = local_57;
+            across_3 = (2f * _e144);
+            let _e148 = along_3;
+            let _e151 = turn_14;
+            if (fract(((0.5f * _e151) + 0.25f)) < 0.5f) {
                 local_58 = 0f;
             } else {
                 local_58 = 0.5f;
             }
-            let _e146 = local_58;
-            along_3.x = (_e133.x + _e146);
-            let _e149 = across_3;
-            across_3.x = (_e149.x - 1f);
-            let _e153 = across_3;
-            let _e155 = across_3;
-            let _e158 = across_3;
-            cube = ((_e153.x * _e155.x) * _e158.x);
-            let _e163 = cube;
+            let _e161 = local_58;
+            along_3.x = (_e148.x + _e161);
             let _e164 = across_3;
-            arch = (1f - (_e163 * _e164.x));
-            let _e170 = along_3;
-            let _e175 = along_3;
-            wave_17 = vec2<f32>(cos((3.1415927f * _e170.x)), sin((3.1415927f * _e175.x)));
-            let _e181 = wave_17;
-            let _e183 = arch;
-            let _e186 = arch;
-            let _e188 = wave_17;
-            let _e191 = along_3;
-            let _e195 = cube;
-            let _e197 = wave_17;
-            let _e200 = across_3;
-            let _e203 = ((((3.1415927f * _e186) * _e188.x) * _e191.yz) - (((4f * _e195) * _e197.y) * _e200.yz));
-            bulge = vec3<f32>((_e181.y * _e183), _e203.x, _e203.y);
-            let _e208 = colour_4;
-            let _e211 = bulge;
-            let _e215 = first_4;
-            if _e215 {
-                let _e216 = warp_1;
-                local_59 = _e216;
+            across_3.x = (_e164.x - 1f);
+            let _e168 = across_3;
+            let _e170 = across_3;
+            let _e173 = across_3;
+            cube = ((_e168.x * _e170.x) * _e173.x);
+            let _e178 = cube;
+            let _e179 = across_3;
+            low_1 = (1f - (_e178 * _e179.x));
+            let _e184 = low_1;
+            let _e185 = low_1;
+            arch = (_e184 * _e185);
+            let _e189 = along_3;
+            let _e194 = along_3;
+            wave_17 = vec2<f32>(cos((3.1415927f * _e189.x)), sin((3.1415927f * _e194.x)));
+            let _e200 = wave_17;
+            let _e202 = arch;
+            let _e205 = arch;
+            let _e207 = wave_17;
+            let _e210 = along_3;
+            let _e214 = cube;
+            let _e216 = low_1;
+            let _e218 = wave_17;
+            let _e221 = across_3;
+            let _e224 = ((((3.1415927f * _e205) * _e207.x) * _e210.yz) - ((((8f * _e214) * _e216) * _e218.y) * _e221.yz));
+            bulge = vec3<f32>((_e200.y * _e202), _e224.x, _e224.y);
+            let _e229 = colour_4;
+            let _e232 = bulge;
+            let _e236 = first_4;
+            if _e236 {
+                let _e237 = warp_1;
+                local_59 = _e237;
             } else {
-                let _e217 = weft_1;
-                local_59 = _e217;
+                let _e238 = weft_1;
+                local_59 = _e238;
             }
-            let _e219 = local_59;
-            colour_4 = (_e208 + ((0.35f + (0.65f * _e211.x)) * _e219));
-            let _e223 = bulge;
-            let _e226 = first_4;
-            if _e226 {
+            let _e240 = local_59;
+            colour_4 = (_e229 + ((0.35f + (0.65f * _e232.x)) * _e240));
+            let _e244 = bulge;
+            let _e247 = first_4;
+            if _e247 {
                 local_60 = of_.a.first;
             } else {
                 local_60 = of_.b.first;
             }
-            let _e232 = local_60;
-            bulge = ((0.16f * _e223) + (0.006f * _e232));
-            let _e235 = height_4;
-            let _e236 = bulge;
-            height_4 = (_e235 + _e236);
-            let _e238 = lost_7;
-            let _e239 = bulge;
-            let _e241 = gabor_impl_square(_e239.yz);
-            lost_7 = (_e238 + _e241);
+            let _e253 = local_60;
+            bulge = ((0.16f * _e244) + (0.006f * _e253));
+            let _e256 = height_4;
+            let _e257 = bulge;
+            height_4 = (_e256 + _e257);
+            let _e259 = lost_7;
+            let _e260 = bulge;
+            let _e262 = gabor_impl_square(_e260.yz);
+            lost_7 = (_e259 + _e262);
         }
         continuing {
-            let _e66 = i_15;
-            i_15 = (_e66 + 1i);
+            let _e71 = i_15;
+            i_15 = (_e71 + 1i);
         }
     }
-    let _e245 = samples_1;
-    let _e246 = kept_5;
-    let _e251 = (count * count);
-    gabor_impl_average((&height_4), (&lost_7), _e245, _e246, 0.081488f, (0.069632f * vec3<f32>(_e251.x, _e251.y, 0f)));
-    let _e260 = warp_1;
-    let _e261 = weft_1;
-    let _e264 = colour_4;
-    let _e265 = samples_1;
-    let _e269 = kept_5;
-    colour_4 = mix((0.340523f * (_e260 + _e261)), (_e264 / vec3(f32(_e265))), vec3(_e269));
-    let _e272 = unit_6;
-    let _e273 = unit_6;
-    let _e275 = lost_7;
-    lost_7 = ((_e272 * _e273) * (_e275 + (0.000018f * (of_.a.lost + of_.b.lost))));
+    let _e266 = samples_1;
+    let _e267 = kept_5;
+    let _e272 = (count * count);
+    gabor_impl_average((&height_4), (&lost_7), _e266, _e267, 0.072432f, (0.0551424f * vec3<f32>(_e272.x, _e272.y, 0f)));
+    let _e281 = warp_1;
+    let _e282 = weft_1;
     let _e285 = colour_4;
-    let _e286 = unit_6;
-    let _e287 = height_4;
-    let _e289 = lost_7;
-    let _e292 = gabor_impl_material(_e285, (_e286 * _e287), _e289, fibres.roughness, 0f);
-    return _e292;
+    let _e286 = samples_1;
+    let _e290 = kept_5;
+    colour_4 = mix((0.3221275f * (_e281 + _e282)), (_e285 / vec3(f32(_e286))), vec3(_e290));
+    let _e293 = unit_6;
+    let _e294 = unit_6;
+    let _e296 = lost_7;
+    lost_7 = ((_e293 * _e294) * (_e296 + (0.000018f * (of_.a.lost + of_.b.lost))));
+    let _e306 = colour_4;
+    let _e307 = unit_6;
+    let _e308 = height_4;
+    let _e310 = lost_7;
+    let _e313 = gabor_impl_material(_e306, (_e307 * _e308), _e310, fibres.roughness, 0f);
+    return _e313;
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_20: GaborPixel;
-    var cloth_5: GaborWarped;
-    var count_9: vec2<f32>;
+    var pixel_8: GaborPixel;
+    var cloth_5: GaborPixel;
+    var count_10: vec2<f32>;
     var of_5: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_20 = _e8;
-    let _e10 = pixel_20;
+    pixel_8 = _e8;
+    let _e10 = pixel_8;
     let _e11 = gabor_impl_twill(_e10, seed);
     cloth_5 = _e11;
-    let _e13 = pixel_20;
+    let _e13 = pixel_8;
     let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
-    count_9 = _e16;
+    count_10 = _e16;
     let _e18 = gabor_impl_no_pairs();
     of_5 = _e18;
     let _e22 = cloth_5;
-    let _e23 = count_9;
+    let _e23 = count_10;
     let _e24 = gabor_impl_tow_layer(0i, _e22, _e23, seed);
     let _e25 = gabor_impl_spots_pair(_e24);
     of_5.a = _e25;
     let _e28 = cloth_5;
-    let _e29 = count_9;
+    let _e29 = count_10;
     let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_5.b = _e31;
-    let _e32 = pixel_20;
-    let _e33 = cloth_5;
-    let _e34 = count_9;
-    let _e35 = of_5;
-    let _e36 = gabor_impl_carbon_fibre(_e32, _e33, _e34, fibres, _e35);
-    return _e36;
+    let _e32 = cloth_5;
+    let _e33 = count_10;
+    let _e34 = of_5;
+    let _e35 = gabor_impl_carbon_fibre(_e32, _e33, fibres, _e34);
+    return _e35;
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
 // Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
-fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborWarped {
+fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborPixel {
     var bends_1: vec2<f32>;
-    var skin: GaborWarped;
+    var skin: GaborPixel;
     bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
-    let _e9 = gabor_impl_unwarped(pixel);
-    let _e12 = bends_1;
-    let _e16 = gabor_impl_warp(pixel, _e9, vec2(0.9f), vec2(_e12.x), seed, 0i);
-    skin = _e16;
-    let _e18 = skin;
-    let _e21 = bends_1;
-    let _e25 = gabor_impl_warp(pixel, _e18, vec2(4f), vec2(_e21.y), seed, 1i);
-    return _e25;
+    let _e11 = bends_1;
+    let _e15 = gabor_impl_warp(pixel, vec2(0.9f), vec2(_e11.x), seed, 0i);
+    skin = _e15;
+    let _e17 = skin;
+    let _e20 = bends_1;
+    let _e24 = gabor_impl_warp(_e17, vec2(4f), vec2(_e20.y), seed, 1i);
+    return _e24;
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
+fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, seed: u32) -> GaborLayer {
     var local_61: f32;
     if (i < 3i) {
-        let _e7 = gabor_impl_unwarped(pixel);
-        let _e13 = gabor_lobe_seed(seed, 4i);
-        let _e14 = gabor_impl_octave(_e7, vec2(18f), i, 3i, 0.75f, _e13);
-        return _e14;
+        let _e12 = gabor_lobe_seed(seed, 4i);
+        let _e13 = gabor_impl_octave(pixel, vec2(18f), i, 3i, 0.75f, _e12);
+        return _e13;
     }
     if (i == 3i) {
-        let _e18 = gabor_impl_unwarped(pixel);
-        let _e22 = gabor_impl_spots_layer(1i, _e18, vec2(0.8f), seed, 5i);
-        return _e22;
+        let _e20 = gabor_impl_spots_layer(1i, pixel, vec2(0.8f), seed, 5i);
+        return _e20;
     }
     if (i == 4i) {
         local_61 = 0.2f;
     } else {
         local_61 = 2.2944f;
     }
-    let _e35 = local_61;
-    let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
-    return _e38;
+    let _e33 = local_61;
+    let _e36 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e33, seed, (i - 2i));
+    return _e36;
 }
 
-// The wave vector of a layer in turns per unit of p.
-fn gabor_impl_turns(layer: GaborLayer) -> vec2<f32> {
-    var wave_18: vec2<f32>;
-    wave_18 = (layer.density * layer.wave);
-    let _e5 = wave_18;
-    let _e9 = wave_18;
-    return vec2<f32>(dot(_e5, layer.at.x), dot(_e9, layer.at.y));
-}
-
-// A pair of waves at an offset: their envelope moves along its slope, and the phase turns.
-fn gabor_impl_moved_waves(pair: GaborPair, turns: vec2<f32>, offset: vec2<f32>) -> GaborPair {
+// Waves at an offset: their envelope moves along its slope, and the phase turns.
+fn gabor_impl_moved_waves(waves: GaborPair, at: GaborPixel, wave: vec2<f32>, offset: vec2<f32>, turns: f32) -> GaborPair {
     var turn_15: vec2<f32>;
-    var whole_3: vec2<f32>;
-    var a_15: vec3<f32>;
+    var phase_9: vec3<f32>;
+    var a_13: vec3<f32>;
     var b_15: vec3<f32>;
     var first_5: vec3<f32>;
     var second_4: vec3<f32>;
-    let _e4 = gabor_impl_wave(dot(turns, offset));
-    turn_15 = _e4;
-    whole_3 = (6.2831855f * turns);
-    let _e13 = whole_3;
-    let _e14 = (pair.second.x * _e13);
-    let _e19 = gabor_impl_moved((pair.first + vec3<f32>(0f, _e14.x, _e14.y)), offset);
-    a_15 = _e19;
-    let _e25 = whole_3;
-    let _e26 = (pair.first.x * _e25);
-    let _e31 = gabor_impl_moved((pair.second - vec3<f32>(0f, _e26.x, _e26.y)), offset);
-    b_15 = _e31;
-    let _e33 = turn_15;
-    let _e35 = a_15;
-    let _e37 = turn_15;
-    let _e39 = b_15;
-    first_5 = ((_e33.x * _e35) - (_e37.y * _e39));
-    let _e43 = turn_15;
-    let _e45 = a_15;
-    let _e47 = turn_15;
-    let _e49 = b_15;
-    second_4 = ((_e43.y * _e45) + (_e47.x * _e49));
-    let _e53 = first_5;
-    let _e55 = second_4;
-    let _e57 = whole_3;
-    let _e58 = (_e55.x * _e57);
-    let _e63 = second_4;
-    let _e65 = first_5;
-    let _e67 = whole_3;
-    let _e68 = (_e65.x * _e67);
-    return GaborPair((_e53 - vec3<f32>(0f, _e58.x, _e58.y)), (_e63 + vec3<f32>(0f, _e68.x, _e68.y)), 0f, vec3(0f));
+    let _e5 = gabor_impl_wave(turns);
+    turn_15 = _e5;
+    phase_9 = (6.2831855f * vec3<f32>(0f, dot(wave, at.x), dot(wave, at.y)));
+    let _e19 = phase_9;
+    a_13 = (waves.first + (waves.second.x * _e19));
+    let _e26 = phase_9;
+    b_15 = (waves.second - (waves.first.x * _e26));
+    let _e31 = a_13;
+    let _e33 = a_13;
+    a_13.x = (_e31.x + dot(_e33.yz, offset));
+    let _e38 = b_15;
+    let _e40 = b_15;
+    b_15.x = (_e38.x + dot(_e40.yz, offset));
+    let _e44 = turn_15;
+    let _e46 = a_13;
+    let _e48 = turn_15;
+    let _e50 = b_15;
+    first_5 = ((_e44.x * _e46) - (_e48.y * _e50));
+    let _e54 = turn_15;
+    let _e56 = a_13;
+    let _e58 = turn_15;
+    let _e60 = b_15;
+    second_4 = ((_e54.y * _e56) + (_e58.x * _e60));
+    let _e64 = first_5;
+    let _e65 = second_4;
+    let _e67 = phase_9;
+    let _e70 = second_4;
+    let _e71 = first_5;
+    let _e73 = phase_9;
+    return GaborPair((_e64 - (_e65.x * _e67)), (_e70 + (_e71.x * _e73)), 0f, vec3(0f));
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
@@ -2561,16 +2538,22 @@ fn gabor_impl_crest(waves: GaborPair, cosine: ptr<function, vec3<f32>>, sine: pt
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f32>, turns_b: vec2<f32>, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
+    var wave_a: vec2<f32>;
+    var wave_b: vec2<f32>;
+    var dx_12: vec2<f32>;
+    var dy_12: vec2<f32>;
     var spread_4: f32;
+    var bend_2: f32;
     var kept_6: f32;
     var share: f32 = 0f;
     var height_5: vec3<f32> = vec3(0f);
     var lost_8: vec3<f32> = vec3(0f);
     var samples_2: i32;
     var i_17: i32 = 0i;
-    var offset_6: vec2<f32>;
-    var a_16: vec3<f32>;
+    var offset_5: vec2<f32>;
+    var further: vec2<f32>;
+    var a_14: vec3<f32>;
     var b_16: vec3<f32>;
     var sine_a: vec3<f32>;
     var sine_b: vec3<f32>;
@@ -2580,102 +2563,126 @@ fn gabor_impl_leather(pixel: GaborPixel, leather: GaborLeather, turns_a: vec2<f3
     var square_5: vec3<f32>;
     var tones_1: vec2<f32>;
     var colour_5: vec3<f32>;
-    let _e13 = gabor_impl_pixel_spread(pixel, vec3<f32>(0f, turns_a.x, turns_a.y), vec3<f32>(0f, turns_b.x, turns_b.y));
-    spread_4 = _e13;
-    let _e18 = spread_4;
-    kept_6 = (1f - smoothstep(0.4f, 0.8f, _e18));
-    let _e30 = spread_4;
-    let _e31 = gabor_impl_samples(_e30);
-    samples_2 = _e31;
+    let _e6 = gabor_wave_vector(leather.cells, 0.2f);
+    wave_a = _e6;
+    let _e10 = gabor_wave_vector(leather.cells, 2.2944f);
+    wave_b = _e10;
+    let _e12 = wave_a;
+    let _e15 = wave_b;
+    dx_12 = vec2<f32>(dot(_e12, skin.dx), dot(_e15, skin.dx));
+    let _e20 = wave_a;
+    let _e23 = wave_b;
+    dy_12 = vec2<f32>(dot(_e20, skin.dy), dot(_e23, skin.dy));
+    let _e28 = dx_12;
+    let _e29 = dy_12;
+    let _e30 = gabor_impl_sample_spread(_e28, _e29);
+    spread_4 = _e30;
+    let _e34 = spread_4;
+    let _e36 = spread_4;
+    bend_2 = exp(((-30f * _e34) * _e36));
+    let _e43 = spread_4;
+    kept_6 = (1f - smoothstep(0.4f, 0.8f, _e43));
+    let _e55 = spread_4;
+    let _e56 = gabor_impl_samples(_e55);
+    samples_2 = _e56;
     loop {
-        let _e35 = i_17;
-        let _e36 = samples_2;
-        if !((_e35 < _e36)) {
+        let _e60 = i_17;
+        let _e61 = samples_2;
+        if !((_e60 < _e61)) {
             break;
         }
         {
-            let _e42 = i_17;
-            let _e43 = samples_2;
-            let _e44 = gabor_impl_sample(pixel, _e42, _e43);
-            offset_6 = _e44;
-            let _e51 = offset_6;
-            let _e52 = gabor_impl_moved_waves(of_.c, turns_a, _e51);
-            gabor_impl_crest(_e52, (&a_16), (&sine_a));
-            let _e58 = offset_6;
-            let _e59 = gabor_impl_moved_waves(of_.d, turns_b, _e58);
-            gabor_impl_crest(_e59, (&b_16), (&sine_b));
-            let _e64 = a_16;
-            let _e65 = b_16;
-            let _e67 = a_16;
-            let _e68 = b_16;
-            let _e69 = gabor_impl_times(_e67, _e68);
-            let _e71 = sine_a;
-            let _e72 = sine_b;
-            let _e73 = gabor_impl_times(_e71, _e72);
-            cells = (((_e64 + _e65) + _e69) - _e73);
-            let _e80 = cells;
-            let _e86 = gabor_impl_step(-1.45f, -0.55f, (_e80 + (0.1f * of_.a.second)));
-            pebble = _e86;
-            let _e88 = share;
-            let _e89 = pebble;
-            share = (_e88 + _e89.x);
-            let _e93 = pebble;
-            let _e99 = cells;
-            let _e100 = gabor_impl_step(-1f, 3f, _e99);
-            relief = (((0.016f * _e93) + (0.013f * _e100)) + (0.0008f * of_.a.second));
-            let _e109 = height_5;
-            let _e110 = relief;
-            height_5 = (_e109 + _e110);
-            let _e112 = lost_8;
-            let _e113 = relief;
-            let _e115 = gabor_impl_square(_e113.yz);
-            lost_8 = (_e112 + _e115);
+            let _e67 = dx_12;
+            let _e68 = dy_12;
+            let _e69 = i_17;
+            let _e70 = samples_2;
+            let _e71 = gabor_impl_sample(_e67, _e68, _e69, _e70);
+            offset_5 = _e71;
+            let _e73 = bend_2;
+            let _e76 = i_17;
+            let _e77 = samples_2;
+            let _e78 = gabor_impl_sample(pixel.dx, pixel.dy, _e76, _e77);
+            further = (_e73 * _e78);
+            let _e86 = wave_a;
+            let _e87 = further;
+            let _e88 = offset_5;
+            let _e90 = gabor_impl_moved_waves(of_.c, skin, _e86, _e87, _e88.x);
+            gabor_impl_crest(_e90, (&a_14), (&sine_a));
+            let _e96 = wave_b;
+            let _e97 = further;
+            let _e98 = offset_5;
+            let _e100 = gabor_impl_moved_waves(of_.d, skin, _e96, _e97, _e98.y);
+            gabor_impl_crest(_e100, (&b_16), (&sine_b));
+            let _e105 = a_14;
+            let _e106 = b_16;
+            let _e108 = a_14;
+            let _e109 = b_16;
+            let _e110 = gabor_impl_times(_e108, _e109);
+            let _e112 = sine_a;
+            let _e113 = sine_b;
+            let _e114 = gabor_impl_times(_e112, _e113);
+            cells = (((_e105 + _e106) + _e110) - _e114);
+            let _e121 = cells;
+            let _e127 = gabor_impl_step(-1.45f, -0.55f, (_e121 + (0.1f * of_.a.second)));
+            pebble = _e127;
+            let _e129 = share;
+            let _e130 = pebble;
+            share = (_e129 + _e130.x);
+            let _e134 = pebble;
+            let _e140 = cells;
+            let _e141 = gabor_impl_step(-1f, 3f, _e140);
+            relief = (((0.016f * _e134) + (0.013f * _e141)) + (0.0008f * of_.a.second));
+            let _e150 = height_5;
+            let _e151 = relief;
+            height_5 = (_e150 + _e151);
+            let _e153 = lost_8;
+            let _e154 = relief;
+            let _e156 = gabor_impl_square(_e154.yz);
+            lost_8 = (_e153 + _e156);
         }
         continuing {
-            let _e39 = i_17;
-            i_17 = (_e39 + 1i);
+            let _e64 = i_17;
+            i_17 = (_e64 + 1i);
         }
     }
     square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, -0.00012f));
-    let _e129 = samples_2;
-    let _e130 = kept_6;
-    let _e132 = square_5;
-    gabor_impl_average((&height_5), (&lost_8), _e129, _e130, 0.015964f, _e132);
-    let _e136 = share;
-    let _e137 = samples_2;
-    let _e140 = kept_6;
-    share = mix(0.806f, (_e136 / f32(_e137)), _e140);
-    let _e148 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e155 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
-    tones_1 = (_e148 + _e155);
-    let _e159 = tones_1;
-    let _e160 = gabor_impl_toned(leather.crease, _e159);
-    let _e162 = tones_1;
-    let _e163 = gabor_impl_toned(leather.pebble, _e162);
-    let _e164 = share;
-    colour_5 = mix(_e160, _e163, vec3(_e164));
-    let _e171 = lost_8;
-    lost_8 = ((leather.relief * leather.relief) * (_e171 + (0.00000064f * of_.a.lost)));
-    let _e178 = colour_5;
-    let _e180 = height_5;
-    let _e182 = lost_8;
-    let _e186 = share;
-    let _e191 = gabor_impl_material(_e178, (leather.relief * _e180), _e182, (leather.roughness + (0.15f * (1f - _e186))), 0f);
-    return _e191;
+    let _e170 = samples_2;
+    let _e171 = kept_6;
+    let _e173 = square_5;
+    gabor_impl_average((&height_5), (&lost_8), _e170, _e171, 0.015964f, _e173);
+    let _e177 = share;
+    let _e178 = samples_2;
+    let _e181 = kept_6;
+    share = mix(0.806f, (_e177 / f32(_e178)), _e181);
+    let _e189 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e196 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_1 = (_e189 + _e196);
+    let _e200 = tones_1;
+    let _e201 = gabor_impl_toned(leather.crease, _e200);
+    let _e203 = tones_1;
+    let _e204 = gabor_impl_toned(leather.pebble, _e203);
+    let _e205 = share;
+    colour_5 = mix(_e201, _e204, vec3(_e205));
+    let _e212 = lost_8;
+    lost_8 = ((leather.relief * leather.relief) * (_e212 + (0.00000064f * of_.a.lost)));
+    let _e219 = colour_5;
+    let _e221 = height_5;
+    let _e223 = lost_8;
+    let _e227 = share;
+    let _e232 = gabor_impl_material(_e219, (leather.relief * _e221), _e223, (leather.roughness + (0.15f * (1f - _e227))), 0f);
+    return _e232;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_24: GaborPixel;
-    var skin_2: GaborWarped;
+    var pixel_12: GaborPixel;
+    var skin_3: GaborPixel;
     var of_7: GaborPairs;
     var i_18: i32 = 0i;
-    var a_17: GaborLayer;
-    var b_17: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_24 = _e8;
-    let _e10 = pixel_24;
+    pixel_12 = _e8;
+    let _e10 = pixel_12;
     let _e11 = gabor_impl_skin(_e10, leather, seed);
-    skin_2 = _e11;
+    skin_3 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_7 = _e13;
     loop {
@@ -2685,8 +2692,8 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
         }
         let _e25 = of_7;
         let _e27 = i_18;
-        let _e28 = pixel_24;
-        let _e29 = skin_2;
+        let _e28 = pixel_12;
+        let _e29 = skin_3;
         let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_7.a = _e31;
@@ -2695,63 +2702,53 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
             i_18 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_24;
-    let _e35 = skin_2;
+    let _e34 = pixel_12;
+    let _e35 = skin_3;
     let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_7.b = _e37;
-    let _e39 = pixel_24;
-    let _e40 = skin_2;
-    let _e41 = gabor_impl_leather_layer(4i, _e39, _e40, leather, seed);
-    a_17 = _e41;
-    let _e44 = pixel_24;
-    let _e45 = skin_2;
-    let _e46 = gabor_impl_leather_layer(5i, _e44, _e45, leather, seed);
-    b_17 = _e46;
-    let _e49 = a_17;
-    let _e50 = gabor_impl_waves_pair(_e49);
-    of_7.c = _e50;
-    let _e52 = b_17;
-    let _e53 = gabor_impl_waves_pair(_e52);
-    of_7.d = _e53;
-    let _e54 = pixel_24;
-    let _e55 = a_17;
-    let _e56 = gabor_impl_turns(_e55);
-    let _e57 = b_17;
-    let _e58 = gabor_impl_turns(_e57);
-    let _e59 = of_7;
-    let _e60 = gabor_impl_leather(_e54, leather, _e56, _e58, _e59);
-    return _e60;
+    let _e40 = pixel_12;
+    let _e41 = skin_3;
+    let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
+    let _e43 = gabor_impl_waves_pair(_e42);
+    of_7.c = _e43;
+    let _e46 = pixel_12;
+    let _e47 = skin_3;
+    let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
+    let _e49 = gabor_impl_waves_pair(_e48);
+    of_7.d = _e49;
+    let _e50 = pixel_12;
+    let _e51 = skin_3;
+    let _e52 = of_7;
+    let _e53 = gabor_impl_leather(_e50, _e51, leather, _e52);
+    return _e53;
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborWarped {
+fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborPixel {
     var bends_2: vec4<f32>;
-    var stone: GaborWarped;
+    var stone: GaborPixel;
     bends_2 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
-    let _e11 = gabor_impl_unwarped(pixel);
-    stone = _e11;
-    let _e13 = stone;
-    let _e16 = bends_2;
-    let _e20 = gabor_impl_warp(pixel, _e13, vec2(1.1f), vec2(_e16.x), seed, 0i);
-    stone = _e20;
-    let _e21 = stone;
-    let _e24 = bends_2;
-    let _e28 = gabor_impl_warp(pixel, _e21, vec2(4f), vec2(_e24.y), seed, 1i);
-    stone = _e28;
-    let _e29 = stone;
-    let _e32 = bends_2;
-    let _e36 = gabor_impl_warp(pixel, _e29, vec2(13f), vec2(_e32.z), seed, 2i);
-    stone = _e36;
-    let _e37 = stone;
-    let _e40 = bends_2;
-    let _e44 = gabor_impl_warp(pixel, _e37, vec2(40f), vec2(_e40.w), seed, 3i);
-    return _e44;
+    let _e13 = bends_2;
+    let _e17 = gabor_impl_warp(pixel, vec2(1.1f), vec2(_e13.x), seed, 0i);
+    stone = _e17;
+    let _e19 = stone;
+    let _e22 = bends_2;
+    let _e26 = gabor_impl_warp(_e19, vec2(4f), vec2(_e22.y), seed, 1i);
+    stone = _e26;
+    let _e27 = stone;
+    let _e30 = bends_2;
+    let _e34 = gabor_impl_warp(_e27, vec2(13f), vec2(_e30.z), seed, 2i);
+    stone = _e34;
+    let _e35 = stone;
+    let _e38 = bends_2;
+    let _e42 = gabor_impl_warp(_e35, vec2(40f), vec2(_e38.w), seed, 3i);
+    return _e42;
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
+fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborPixel, seed: u32) -> GaborLayer {
     var local_62: vec3<f32>;
     var local_63: vec3<f32>;
     var local_64: vec3<f32>;
@@ -2764,9 +2761,8 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         return _e12;
     }
     if (i == 3i) {
-        let _e16 = gabor_impl_unwarped(pixel);
-        let _e20 = gabor_impl_spots_layer(1i, _e16, vec2(75f), seed, 9i);
-        return _e20;
+        let _e19 = gabor_impl_spots_layer(1i, pixel, vec2(75f), seed, 9i);
+        return _e19;
     }
     if (i == 4i) {
         local_64 = vec3<f32>(1.9f, 0.95f, -0.45f);
@@ -2779,17 +2775,17 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
             } else {
                 local_62 = vec3<f32>(13f, 0.9f, 0.2f);
             }
-            let _e45 = local_62;
-            local_63 = _e45;
+            let _e44 = local_62;
+            local_63 = _e44;
         }
-        let _e47 = local_63;
-        local_64 = _e47;
+        let _e46 = local_63;
+        local_64 = _e46;
     }
-    let _e49 = local_64;
-    vein = _e49;
-    let _e52 = vein;
-    let _e55 = vein;
-    let _e57 = vein;
+    let _e48 = local_64;
+    vein = _e48;
+    let _e51 = vein;
+    let _e54 = vein;
+    let _e56 = vein;
     if (i == 4i) {
         local_66 = 5i;
     } else {
@@ -2798,12 +2794,12 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         } else {
             local_65 = i;
         }
-        let _e66 = local_65;
-        local_66 = _e66;
+        let _e65 = local_65;
+        local_66 = _e65;
     }
-    let _e68 = local_66;
-    let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
-    return _e69;
+    let _e67 = local_66;
+    let _e68 = gabor_impl_waves_layer(2i, stone, vec2(_e51.x), _e54.y, _e56.z, seed, _e67);
+    return _e68;
 }
 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) -> GaborMaterial {
@@ -2936,17 +2932,17 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
 }
 
 fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_27: GaborPixel;
-    var stone_3: GaborWarped;
+    var pixel_15: GaborPixel;
+    var stone_3: GaborPixel;
     var cloud_1: GaborPair;
     var i_21: i32 = 0i;
     var crystal_1: GaborPair;
     var material: GaborMaterial;
     var j_6: i32 = 4i;
-    var layer_9: GaborLayer;
+    var layer_8: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_27 = _e8;
-    let _e10 = pixel_27;
+    pixel_15 = _e8;
+    let _e10 = pixel_15;
     let _e11 = gabor_impl_stone(_e10, marble, seed);
     stone_3 = _e11;
     let _e13 = gabor_impl_no_pair();
@@ -2958,7 +2954,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         }
         let _e24 = cloud_1;
         let _e25 = i_21;
-        let _e26 = pixel_27;
+        let _e26 = pixel_15;
         let _e27 = stone_3;
         let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
         let _e29 = gabor_impl_plus_octave(_e24, _e28);
@@ -2968,7 +2964,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
             i_21 = (_e21 + 1i);
         }
     }
-    let _e31 = pixel_27;
+    let _e31 = pixel_15;
     let _e32 = stone_3;
     let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
     let _e34 = gabor_impl_spots_pair(_e33);
@@ -2984,12 +2980,12 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         }
         {
             let _e49 = j_6;
-            let _e50 = pixel_27;
+            let _e50 = pixel_15;
             let _e51 = stone_3;
             let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
-            layer_9 = _e52;
+            layer_8 = _e52;
             let _e55 = j_6;
-            let _e56 = layer_9;
+            let _e56 = layer_8;
             let _e57 = gabor_impl_waves_pair(_e56);
             gabor_impl_add_veins((&material), marble, _e55, _e57);
         }
@@ -3004,40 +3000,37 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborWarped {
-    var dune: GaborWarped;
-    let _e2 = gabor_impl_unwarped(pixel);
-    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.8f), vec2(0.15f), seed, 0i);
-    dune = _e8;
-    let _e10 = dune;
-    let _e16 = gabor_impl_warp(pixel, _e10, vec2(3f), vec2(0.02f), seed, 1i);
-    return _e16;
+fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborPixel {
+    var dune: GaborPixel;
+    let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), seed, 0i);
+    dune = _e7;
+    let _e9 = dune;
+    let _e15 = gabor_impl_warp(_e9, vec2(3f), vec2(0.02f), seed, 1i);
+    return _e15;
 }
 
 // Three octaves of large shapes, grains, and ripples.
-fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborWarped, sand: GaborSand, seed: u32) -> GaborLayer {
+fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborPixel, sand: GaborSand, seed: u32) -> GaborLayer {
     if (i < 3i) {
-        let _e7 = gabor_impl_unwarped(pixel);
-        let _e13 = gabor_lobe_seed(seed, 4i);
-        let _e14 = gabor_impl_octave(_e7, vec2(0.6f), i, 3i, 0.5f, _e13);
-        return _e14;
+        let _e12 = gabor_lobe_seed(seed, 4i);
+        let _e13 = gabor_impl_octave(pixel, vec2(0.6f), i, 3i, 0.5f, _e12);
+        return _e13;
     }
     if (i == 3i) {
-        let _e18 = gabor_impl_unwarped(pixel);
-        let _e22 = gabor_impl_spots_layer(1i, _e18, vec2(75f), seed, 3i);
-        return _e22;
+        let _e20 = gabor_impl_spots_layer(1i, pixel, vec2(75f), seed, 3i);
+        return _e20;
     }
-    let _e39 = gabor_impl_waves_layer(2i, dune, (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples), 2.3f, 1.4f, seed, 2i);
-    return _e39;
+    let _e37 = gabor_impl_waves_layer(2i, dune, (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples), 2.3f, 1.4f, seed, 2i);
+    return _e37;
 }
 
 fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> GaborMaterial {
     var z_1: vec2<f32>;
     var power_7: f32;
-    var whole_4: f32;
+    var whole_3: f32;
     var span_3: f32;
     var change_5: vec2<f32>;
-    var phase_9: vec3<f32>;
+    var phase_10: vec3<f32>;
     var ripple: vec3<f32>;
     var tones_2: vec2<f32>;
     var colour_7: vec3<f32>;
@@ -3054,9 +3047,9 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e12 = z_1;
     power_7 = max(dot(_e11, _e12), 0.000001f);
     let _e17 = power_7;
-    whole_4 = (_e17 + (2.5f * of_.c.removed));
+    whole_3 = (_e17 + (2.5f * of_.c.removed));
     let _e25 = power_7;
-    let _e26 = whole_4;
+    let _e26 = whole_3;
     span_3 = (0.9f * sqrt((_e25 / _e26)));
     let _e31 = z_1;
     let _e37 = z_1;
@@ -3067,11 +3060,11 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e51 = z_1;
     let _e57 = z_1;
     let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.c.second.yz) - (_e57.y * of_.c.first.yz)));
-    phase_9 = vec3<f32>(_e46.x, _e64.x, _e64.y);
-    let _e69 = phase_9;
+    phase_10 = vec3<f32>(_e46.x, _e64.x, _e64.y);
+    let _e69 = phase_10;
     let _e70 = span_3;
     let _e73 = power_7;
-    let _e76 = whole_4;
+    let _e76 = whole_3;
     let _e79 = change_5;
     let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
     let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
@@ -3113,7 +3106,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     square_6 = (_e210 + _e216);
     let _e219 = tall;
     let _e221 = tall;
-    let _e224 = phase_9;
+    let _e224 = phase_10;
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
     let _e230 = square_6;
@@ -3126,17 +3119,17 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_30: GaborPixel;
-    var dune_2: GaborWarped;
+    var pixel_18: GaborPixel;
+    var dune_2: GaborPixel;
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
     var i_23: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_30 = _e8;
-    let _e10 = pixel_30;
+    pixel_18 = _e8;
+    let _e10 = pixel_18;
     let _e11 = gabor_impl_dune(_e10, seed);
     dune_2 = _e11;
-    let _e14 = pixel_30;
+    let _e14 = pixel_18;
     let _e15 = dune_2;
     let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
     ripples_1 = _e16;
@@ -3149,7 +3142,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
         }
         let _e30 = of_9;
         let _e32 = i_23;
-        let _e33 = pixel_30;
+        let _e33 = pixel_18;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
         let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
@@ -3159,7 +3152,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
             i_23 = (_e26 + 1i);
         }
     }
-    let _e39 = pixel_30;
+    let _e39 = pixel_18;
     let _e40 = dune_2;
     let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
     let _e42 = gabor_impl_spots_pair(_e41);
@@ -3177,21 +3170,16 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 
 // Five sizes of streaks, and six octaves of patina.
 fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
-    var sheet: GaborWarped;
-    var density_7: vec2<f32>;
-    let _e4 = gabor_impl_unwarped(pixel);
-    sheet = _e4;
+    var density_6: vec2<f32>;
     if (i >= 5i) {
-        let _e8 = sheet;
-        let _e16 = gabor_lobe_seed(seed, 5i);
-        let _e17 = gabor_impl_octave(_e8, vec2(1.3f), (i - 5i), 6i, 0.75f, _e16);
-        return _e17;
+        let _e13 = gabor_lobe_seed(seed, 5i);
+        let _e14 = gabor_impl_octave(pixel, vec2(1.3f), (i - 5i), 6i, 0.75f, _e13);
+        return _e14;
     }
-    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
-    let _e31 = sheet;
-    let _e32 = density_7;
-    let _e33 = gabor_impl_spots_layer(0i, _e31, _e32, seed, i);
-    return _e33;
+    density_6 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
+    let _e28 = density_6;
+    let _e29 = gabor_impl_spots_layer(0i, pixel, _e28, seed, i);
+    return _e29;
 }
 
 // The layers that the metal needs.
@@ -3208,7 +3196,7 @@ fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
 fn gabor_impl_add_metal(of_: ptr<function, GaborPairs>, i: i32, layer: GaborLayer, pair: GaborPair) {
-    var size_1: f32;
+    var size_2: f32;
     if (i >= 5i) {
         {
             let _e7 = (*of_);
@@ -3217,17 +3205,17 @@ fn gabor_impl_add_metal(of_: ptr<function, GaborPairs>, i: i32, layer: GaborLaye
             return;
         }
     }
-    size_1 = exp2(-(f32(i)));
+    size_2 = exp2(-(f32(i)));
     let _e17 = (*of_);
-    let _e20 = size_1;
+    let _e20 = size_2;
     (*of_).a.first = (_e17.a.first + (_e20 * pair.first));
     let _e26 = (*of_);
     (*of_).a.second = (_e26.a.second + (0.4472136f * pair.second));
     let _e35 = (*of_);
     (*of_).a.removed = (_e35.a.removed + (0.2f * pair.removed));
     let _e44 = (*of_);
-    let _e47 = size_1;
-    let _e48 = size_1;
+    let _e47 = size_2;
+    let _e48 = size_2;
     (*of_).a.lost = (_e44.a.lost + ((_e47 * _e48) * pair.lost));
     return;
 }
@@ -3277,13 +3265,13 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborM
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_32: GaborPixel;
+    var pixel_20: GaborPixel;
     var of_12: GaborPairs;
     var layers: i32;
     var i_26: i32 = 0i;
-    var layer_11: GaborLayer;
+    var layer_10: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_32 = _e8;
+    pixel_20 = _e8;
     let _e10 = gabor_impl_no_pairs();
     of_12 = _e10;
     let _e12 = gabor_impl_metal_layers(metal);
@@ -3296,12 +3284,12 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
         }
         {
             let _e23 = i_26;
-            let _e24 = pixel_32;
+            let _e24 = pixel_20;
             let _e25 = gabor_impl_metal_layer(_e23, _e24, metal, seed);
-            layer_11 = _e25;
+            layer_10 = _e25;
             let _e28 = i_26;
-            let _e29 = layer_11;
-            let _e30 = layer_11;
+            let _e29 = layer_10;
+            let _e30 = layer_10;
             let _e31 = gabor_impl_spots_pair(_e30);
             gabor_impl_add_metal((&of_12), _e28, _e29, _e31);
         }
@@ -3321,40 +3309,39 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
     var angle_1: f32;
-    var at_11: GaborWarped;
+    var at_12: GaborPixel;
     var local_79: f32;
-    var bend_1: f32;
+    var bend_3: f32;
     angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
-    let _e17 = gabor_impl_unwarped(pixel);
-    let _e18 = angle_1;
-    let _e19 = gabor_impl_turned(_e17, _e18);
-    at_11 = _e19;
-    let _e21 = at_11;
-    if (_e21.period.y > 0f) {
-        let _e28 = at_11;
-        local_79 = min(0.17f, (0.02f * _e28.period.y));
+    let _e17 = angle_1;
+    let _e18 = gabor_impl_turned(pixel, _e17);
+    at_12 = _e18;
+    let _e20 = at_12;
+    if (_e20.period.y > 0f) {
+        let _e27 = at_12;
+        local_79 = min(0.17f, (0.02f * _e27.period.y));
     } else {
         local_79 = 0.17f;
     }
-    let _e35 = local_79;
-    bend_1 = _e35;
-    let _e37 = at_11;
-    let _e42 = bend_1;
-    let _e46 = gabor_impl_warp(pixel, _e37, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e42), seed, (2i * i));
-    at_11 = _e46;
-    let _e48 = at_11;
-    let _e63 = gabor_impl_spots_layer(0i, _e48, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
-    return _e63;
+    let _e34 = local_79;
+    bend_3 = _e34;
+    let _e36 = at_12;
+    let _e41 = bend_3;
+    let _e45 = gabor_impl_warp(_e36, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e41), seed, (2i * i));
+    at_12 = _e45;
+    let _e47 = at_12;
+    let _e62 = gabor_impl_spots_layer(0i, _e47, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
+    return _e62;
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
 fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborPair) {
-    var size_2: f32;
+    var size_3: f32;
     var threshold_3: f32;
     var open_1: vec3<f32>;
     var scratch: vec3<f32>;
     var change_6: f32;
-    size_2 = exp2((-0.13f * f32(i)));
+    size_3 = exp2((-0.13f * f32(i)));
     threshold_3 = sqrt((5.76f - (2f * log(scratches.amount))));
     let _e22 = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
     open_1 = _e22;
@@ -3364,22 +3351,22 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
     let _e30 = gabor_impl_times(_e28, _e29);
     scratch = _e30;
     let _e33 = (*sum);
-    let _e38 = size_2;
+    let _e38 = size_3;
     let _e41 = scratch;
     (*sum).colour = (_e33.colour * (1f - ((0.25f + (0.7f * _e38)) * _e41.x)));
     let _e47 = (*sum);
-    let _e49 = size_2;
+    let _e49 = size_3;
     let _e50 = scratch;
     (*sum).height = (_e47.height - (_e49 * _e50.x));
     let _e55 = (*sum);
-    let _e57 = size_2;
+    let _e57 = size_3;
     let _e58 = scratch;
     (*sum).slope = (_e55.slope - (_e57 * _e58.yz));
     let _e70 = gabor_impl_above(vec3<f32>(noise.second.x, 1f, 0f), noise.removed, 0.3f, 0.7f);
     change_6 = _e70.y;
     let _e74 = (*sum);
-    let _e77 = size_2;
-    let _e79 = size_2;
+    let _e77 = size_3;
+    let _e79 = size_3;
     let _e81 = open_1;
     let _e83 = open_1;
     let _e86 = change_6;
@@ -3402,11 +3389,11 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_34: GaborPixel;
-    var sum_23: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var pixel_22: GaborPixel;
+    var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_29: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_34 = _e8;
+    pixel_22 = _e8;
     loop {
         let _e23 = i_29;
         if !((_e23 < 14i)) {
@@ -3414,53 +3401,50 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
         }
         let _e31 = i_29;
         let _e32 = i_29;
-        let _e33 = pixel_34;
+        let _e33 = pixel_22;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
-        gabor_impl_add_scratches((&sum_23), scratches, _e31, _e35);
+        gabor_impl_add_scratches((&sum_24), scratches, _e31, _e35);
         continuing {
             let _e27 = i_29;
             i_29 = (_e27 + 1i);
         }
     }
-    let _e37 = sum_23;
+    let _e37 = sum_24;
     let _e38 = gabor_impl_scratches(scratches, _e37);
     return _e38;
 }
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborWarped {
-    let _e2 = gabor_impl_unwarped(pixel);
-    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.9f), vec2(0.14f), seed, 0i);
-    return _e8;
+fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborPixel {
+    let _e7 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), seed, 0i);
+    return _e7;
 }
 
 fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> f32 {
     var place_19: GaborPlace;
-    let _e3 = gabor_impl_unwarped(pixel);
-    let _e6 = gabor_impl_place(_e3, vec2(0.6f));
-    place_19 = _e6;
-    let _e10 = place_19;
-    let _e12 = gabor_lobe_seed(seed, 1i);
-    let _e13 = gabor_impl_spots(_e10, _e12);
-    return (zebra.direction + (zebra.bends * _e13.quadrature));
+    let _e5 = gabor_impl_place(pixel, vec2(0.6f));
+    place_19 = _e5;
+    let _e9 = place_19;
+    let _e11 = gabor_lobe_seed(seed, 1i);
+    let _e12 = gabor_impl_spots(_e9, _e11);
+    return (zebra.direction + (zebra.bends * _e12.quadrature));
 }
 
 // Hair, tone and stripes.
-fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, direction: f32, zebra: GaborZebra, seed: u32) -> GaborLayer {
+fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, direction: f32, zebra: GaborZebra, seed: u32) -> GaborLayer {
     if (i == 0i) {
         let _e10 = gabor_impl_turned(skin, 2.0707963f);
         let _e15 = gabor_impl_spots_layer(0i, _e10, vec2<f32>(6f, 80f), seed, 3i);
         return _e15;
     }
     if (i == 1i) {
-        let _e19 = gabor_impl_unwarped(pixel);
-        let _e23 = gabor_impl_spots_layer(1i, _e19, vec2(1.2f), seed, 4i);
-        return _e23;
+        let _e22 = gabor_impl_spots_layer(1i, pixel, vec2(1.2f), seed, 4i);
+        return _e22;
     }
-    let _e31 = gabor_impl_waves_layer(2i, skin, vec2((zebra.stripes / 1.4f)), 1.4f, direction, seed, 2i);
-    return _e31;
+    let _e30 = gabor_impl_waves_layer(2i, skin, vec2((zebra.stripes / 1.4f)), 1.4f, direction, seed, 2i);
+    return _e30;
 }
 
 fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
@@ -3477,55 +3461,57 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     let _e22 = intensity_1;
     let _e30 = ragged;
     let _e31 = ragged;
-    let _e40 = intensity_1;
-    let _e43 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((_e30 * _e31) * of_.a.removed)), 0f, (0.01f + (0.09f * _e40)));
-    dark_1 = _e43.x;
-    let _e54 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
-    let _e61 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
-    tones_3 = (_e54 + _e61);
-    let _e65 = tones_3;
-    let _e66 = gabor_impl_toned(zebra.bright, _e65);
-    let _e68 = tones_3;
-    let _e69 = gabor_impl_toned(zebra.stripe, _e68);
-    let _e70 = dark_1;
-    colour_9 = mix(_e66, _e69, vec3(_e70));
-    let _e74 = colour_9;
-    let _e75 = relief_1;
+    let _e33 = intensity_1;
+    let _e35 = intensity_1;
+    let _e44 = intensity_1;
+    let _e47 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((((_e30 * _e31) * _e33) * _e35) * of_.a.removed)), 0f, (0.01f + (0.09f * _e44)));
+    dark_1 = _e47.x;
+    let _e58 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
+    let _e65 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
+    tones_3 = (_e58 + _e65);
+    let _e69 = tones_3;
+    let _e70 = gabor_impl_toned(zebra.bright, _e69);
+    let _e72 = tones_3;
+    let _e73 = gabor_impl_toned(zebra.stripe, _e72);
+    let _e74 = dark_1;
+    colour_9 = mix(_e70, _e73, vec3(_e74));
+    let _e78 = colour_9;
     let _e79 = relief_1;
-    let _e80 = relief_1;
-    let _e87 = gabor_impl_material(_e74, (_e75 * of_.a.first), ((_e79 * _e80) * of_.a.lost), zebra.roughness, 0f);
-    return _e87;
+    let _e83 = relief_1;
+    let _e84 = relief_1;
+    let _e91 = gabor_impl_material(_e78, (_e79 * of_.a.first), ((_e83 * _e84) * of_.a.lost), zebra.roughness, 0f);
+    return _e91;
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_38: GaborPixel;
-    var skin_4: GaborWarped;
+    var pixel_26: GaborPixel;
+    var skin_5: GaborPixel;
     var direction_2: f32;
     var of_14: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_38 = _e8;
-    let _e10 = pixel_38;
+    pixel_26 = _e8;
+    let _e10 = pixel_26;
     let _e11 = gabor_impl_hide(_e10, seed);
-    skin_4 = _e11;
-    let _e13 = pixel_38;
+    skin_5 = _e11;
+    let _e13 = pixel_26;
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_14 = _e16;
-    let _e20 = pixel_38;
-    let _e21 = skin_4;
+    let _e20 = pixel_26;
+    let _e21 = skin_5;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
     of_14.a = _e24;
-    let _e27 = pixel_38;
-    let _e28 = skin_4;
+    let _e27 = pixel_26;
+    let _e28 = skin_5;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_14.b = _e31;
-    let _e34 = pixel_38;
-    let _e35 = skin_4;
+    let _e34 = pixel_26;
+    let _e35 = skin_5;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
     let _e38 = gabor_impl_waves_pair(_e37);
@@ -3537,52 +3523,48 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborWarped {
-    var trunk: GaborWarped;
-    let _e2 = gabor_impl_unwarped(pixel);
-    trunk = _e2;
-    let _e4 = trunk;
-    let _e12 = gabor_impl_warp(pixel, _e4, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), seed, 0i);
-    trunk = _e12;
-    let _e13 = trunk;
-    let _e21 = gabor_impl_warp(pixel, _e13, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), seed, 1i);
-    trunk = _e21;
-    let _e22 = trunk;
-    let _e28 = gabor_impl_warp(pixel, _e22, vec2(10f), vec2(0.013f), seed, 2i);
-    return _e28;
+fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborPixel {
+    var trunk: GaborPixel;
+    let _e9 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), seed, 0i);
+    trunk = _e9;
+    let _e11 = trunk;
+    let _e19 = gabor_impl_warp(_e11, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), seed, 1i);
+    trunk = _e19;
+    let _e20 = trunk;
+    let _e26 = gabor_impl_warp(_e20, vec2(10f), vec2(0.013f), seed, 2i);
+    return _e26;
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborWarped, bark: GaborBark, seed: u32) -> GaborLayer {
-    var at_12: GaborWarped;
-    at_12 = trunk;
+fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborPixel, bark: GaborBark, seed: u32) -> GaborLayer {
+    var at_13: GaborPixel;
+    at_13 = trunk;
     if ((i > 1i) && (i < 6i)) {
-        let _e11 = gabor_impl_unwarped(pixel);
-        at_12 = _e11;
+        at_13 = pixel;
     }
     if (i < 5i) {
-        let _e14 = at_12;
-        let _e21 = gabor_lobe_seed(seed, 5i);
-        let _e22 = gabor_impl_octave(_e14, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e21);
-        return _e22;
+        let _e13 = at_13;
+        let _e20 = gabor_lobe_seed(seed, 5i);
+        let _e21 = gabor_impl_octave(_e13, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e20);
+        return _e21;
     }
     if (i == 5i) {
-        let _e26 = at_12;
-        let _e31 = gabor_impl_spots_layer(1i, _e26, vec2<f32>(1.1f, 0.7f), seed, 6i);
-        return _e31;
+        let _e25 = at_13;
+        let _e30 = gabor_impl_spots_layer(1i, _e25, vec2<f32>(1.1f, 0.7f), seed, 6i);
+        return _e30;
     }
     if (i == 6i) {
-        let _e50 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
-        return _e50;
+        let _e49 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
+        return _e49;
     }
-    let _e58 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
-    return _e58;
+    let _e57 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
+    return _e57;
 }
 
 fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var shape: vec3<f32>;
     var removed_7: f32;
-    var whole_5: vec3<f32>;
+    var whole_4: vec3<f32>;
     var risen_1: vec3<f32>;
     var plate: vec3<f32>;
     var weighted: vec3<f32>;
@@ -3601,13 +3583,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     shape = (of_.c.first + (0.2f * of_.a.first));
     removed_7 = (of_.c.removed + (0.04f * of_.a.removed));
     let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
-    whole_5 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
+    whole_4 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
     let _e32 = shape;
     let _e33 = removed_7;
     let _e37 = gabor_impl_above(_e32, _e33, -0.15f, 0.35f);
     risen_1 = _e37;
     let _e39 = risen_1;
-    let _e40 = whole_5;
+    let _e40 = whole_4;
     let _e41 = gabor_impl_times(_e39, _e40);
     plate = _e41;
     weighted = (of_.a.second + vec3<f32>((0.25f * of_.a.removed), 0f, 0f));
@@ -3642,7 +3624,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e136 = coarse;
     let _e137 = gabor_impl_times(of_.a.first, _e136);
     height_9 = ((bark.depth * _e131) + (0.018f * _e137));
-    let _e142 = whole_5;
+    let _e142 = whole_4;
     let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
     wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
     let _e158 = risen_1;
@@ -3652,7 +3634,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e170 = removed_7;
     let _e172 = removed_7;
     rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
-    let _e181 = whole_5;
+    let _e181 = whole_4;
     let _e184 = shape;
     let _e189 = removed_7;
     let _e193 = gabor_impl_above(vec3<f32>(_e184.x, 1f, 0f), _e189, -0.15f, 0.35f);
@@ -3675,13 +3657,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_41: GaborPixel;
-    var trunk_2: GaborWarped;
+    var pixel_29: GaborPixel;
+    var trunk_2: GaborPixel;
     var of_16: GaborPairs;
     var i_32: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_41 = _e8;
-    let _e10 = pixel_41;
+    pixel_29 = _e8;
+    let _e10 = pixel_29;
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3693,7 +3675,7 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
         }
         let _e25 = of_16;
         let _e27 = i_32;
-        let _e28 = pixel_41;
+        let _e28 = pixel_29;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3703,17 +3685,17 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
             i_32 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_41;
+    let _e34 = pixel_29;
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_16.b = _e37;
-    let _e40 = pixel_41;
+    let _e40 = pixel_29;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_16.c = _e43;
-    let _e46 = pixel_41;
+    let _e46 = pixel_29;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -3725,37 +3707,33 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWarped {
-    var rock: GaborWarped;
+fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborPixel {
     var folds: vec4<f32>;
-    let _e3 = gabor_impl_unwarped(pixel);
-    rock = _e3;
+    var rock: GaborPixel;
     folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
-    let _e13 = rock;
-    let _e18 = folds;
-    let _e22 = gabor_impl_warp(pixel, _e13, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e18.x), seed, 0i);
-    rock = _e22;
-    let _e23 = rock;
-    let _e27 = folds;
-    let _e30 = gabor_impl_warp(pixel, _e23, vec2<f32>(1.6f, 2.6f), _e27.yz, seed, 1i);
-    rock = _e30;
-    let _e31 = rock;
-    let _e35 = folds;
-    let _e39 = gabor_impl_warp(pixel, _e31, vec2<f32>(7f, 10f), vec2(_e35.w), seed, 2i);
-    return _e39;
+    let _e15 = folds;
+    let _e19 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), seed, 0i);
+    rock = _e19;
+    let _e21 = rock;
+    let _e25 = folds;
+    let _e28 = gabor_impl_warp(_e21, vec2<f32>(1.6f, 2.6f), _e25.yz, seed, 1i);
+    rock = _e28;
+    let _e29 = rock;
+    let _e33 = folds;
+    let _e37 = gabor_impl_warp(_e29, vec2<f32>(7f, 10f), vec2(_e33.w), seed, 2i);
+    return _e37;
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
+fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: GaborStrata, seed: u32) -> GaborLayer {
     var local_80: vec2<f32>;
     var local_81: vec2<f32>;
     var local_82: vec2<f32>;
-    var density_8: vec2<f32>;
+    var density_7: vec2<f32>;
     if (i < 4i) {
-        let _e7 = gabor_impl_unwarped(pixel);
-        let _e14 = gabor_lobe_seed(seed, 7i);
-        let _e15 = gabor_impl_octave(_e7, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e14);
-        return _e15;
+        let _e13 = gabor_lobe_seed(seed, 7i);
+        let _e14 = gabor_impl_octave(pixel, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e13);
+        return _e14;
     }
     if (i == 4i) {
         local_82 = vec2<f32>(0.1f, 0.33333334f);
@@ -3768,17 +3746,17 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
             } else {
                 local_80 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_80;
-            local_81 = _e35;
+            let _e34 = local_80;
+            local_81 = _e34;
         }
-        let _e37 = local_81;
-        local_82 = _e37;
+        let _e36 = local_81;
+        local_82 = _e36;
     }
-    let _e39 = local_82;
-    density_8 = _e39;
-    let _e43 = density_8;
-    let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
-    return _e50;
+    let _e38 = local_82;
+    density_7 = _e38;
+    let _e42 = density_7;
+    let _e49 = gabor_impl_spots_layer((i - 3i), rock, (_e42 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
+    return _e49;
 }
 
 fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
@@ -3825,13 +3803,13 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_44: GaborPixel;
-    var rock_2: GaborWarped;
+    var pixel_32: GaborPixel;
+    var rock_2: GaborPixel;
     var of_18: GaborPairs;
     var i_34: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_44 = _e8;
-    let _e10 = pixel_44;
+    pixel_32 = _e8;
+    let _e10 = pixel_32;
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3843,7 +3821,7 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
         }
         let _e25 = of_18;
         let _e27 = i_34;
-        let _e28 = pixel_44;
+        let _e28 = pixel_32;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3853,22 +3831,22 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
             i_34 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_44;
+    let _e34 = pixel_32;
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_18.b = _e37;
-    let _e40 = pixel_44;
+    let _e40 = pixel_32;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_18.c = _e43;
-    let _e46 = pixel_44;
+    let _e46 = pixel_32;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
     of_18.d = _e49;
-    let _e52 = pixel_44;
+    let _e52 = pixel_32;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
@@ -3881,13 +3859,13 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_45: GaborPixel;
-    var board_5: GaborWarped;
+    var pixel_33: GaborPixel;
+    var board_5: GaborPixel;
     var of_19: GaborPairs;
     var i_35: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_45 = _e6;
-    let _e8 = pixel_45;
+    pixel_33 = _e6;
+    let _e8 = pixel_33;
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3898,37 +3876,35 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_35;
-        let _e24 = pixel_45;
+        let _e24 = pixel_33;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_45;
-        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_19), _e26);
         continuing {
             let _e19 = i_35;
             i_35 = (_e19 + 1i);
         }
     }
-    let _e29 = pixel_45;
-    let _e30 = board_5;
-    let _e31 = of_19;
-    let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
-    return _e32;
+    let _e28 = board_5;
+    let _e29 = of_19;
+    let _e30 = gabor_impl_wood(_e28, wood, _e29, seed);
+    return _e30;
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_46: GaborPixel;
-    var cloth_6: GaborWarped;
-    var count_10: vec2<f32>;
+    var pixel_34: GaborPixel;
+    var cloth_6: GaborPixel;
+    var count_11: vec2<f32>;
     var of_20: GaborPairs;
     var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_46 = _e6;
-    let _e8 = pixel_46;
+    pixel_34 = _e6;
+    let _e8 = pixel_34;
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
-    let _e11 = pixel_46;
+    let _e11 = pixel_34;
     let _e12 = gabor_impl_threads(_e11, fabric);
-    count_10 = _e12;
+    count_11 = _e12;
     let _e14 = gabor_impl_no_pairs();
     of_20 = _e14;
     loop {
@@ -3938,37 +3914,35 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         }
         let _e26 = i_36;
         let _e27 = cloth_6;
-        let _e28 = count_10;
+        let _e28 = count_11;
         let _e29 = gabor_impl_fabric_layer(_e26, _e27, _e28, seed);
-        let _e30 = pixel_46;
-        gabor_impl_add_filtered_spots((&of_20), _e29, _e30);
+        gabor_impl_add_filtered_spots((&of_20), _e29);
         continuing {
             let _e22 = i_36;
             i_36 = (_e22 + 1i);
         }
     }
-    let _e32 = pixel_46;
-    let _e33 = cloth_6;
-    let _e34 = count_10;
-    let _e35 = of_20;
-    let _e36 = gabor_impl_fabric(_e32, _e33, _e34, fabric, _e35);
-    return _e36;
+    let _e31 = cloth_6;
+    let _e32 = count_11;
+    let _e33 = of_20;
+    let _e34 = gabor_impl_fabric(_e31, _e32, fabric, _e33);
+    return _e34;
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_47: GaborPixel;
-    var cloth_7: GaborWarped;
-    var count_11: vec2<f32>;
+    var pixel_35: GaborPixel;
+    var cloth_7: GaborPixel;
+    var count_12: vec2<f32>;
     var of_21: GaborPairs;
     var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_47 = _e6;
-    let _e8 = pixel_47;
+    pixel_35 = _e6;
+    let _e8 = pixel_35;
     let _e9 = gabor_impl_twill(_e8, seed);
     cloth_7 = _e9;
-    let _e11 = pixel_47;
+    let _e11 = pixel_35;
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
-    count_11 = _e14;
+    count_12 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_21 = _e16;
     loop {
@@ -3978,35 +3952,31 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
         }
         let _e28 = i_37;
         let _e29 = cloth_7;
-        let _e30 = count_11;
+        let _e30 = count_12;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_47;
-        gabor_impl_add_filtered_spots((&of_21), _e31, _e32);
+        gabor_impl_add_filtered_spots((&of_21), _e31);
         continuing {
             let _e24 = i_37;
             i_37 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_47;
-    let _e35 = cloth_7;
-    let _e36 = count_11;
-    let _e37 = of_21;
-    let _e38 = gabor_impl_carbon_fibre(_e34, _e35, _e36, fibres, _e37);
-    return _e38;
+    let _e33 = cloth_7;
+    let _e34 = count_12;
+    let _e35 = of_21;
+    let _e36 = gabor_impl_carbon_fibre(_e33, _e34, fibres, _e35);
+    return _e36;
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_48: GaborPixel;
-    var skin_5: GaborWarped;
+    var pixel_36: GaborPixel;
+    var skin_6: GaborPixel;
     var of_22: GaborPairs;
     var i_38: i32 = 0i;
-    var a_18: GaborLayer;
-    var b_18: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_48 = _e6;
-    let _e8 = pixel_48;
+    pixel_36 = _e6;
+    let _e8 = pixel_36;
     let _e9 = gabor_impl_skin(_e8, leather, seed);
-    skin_5 = _e9;
+    skin_6 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_22 = _e11;
     loop {
@@ -4015,51 +3985,43 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
             break;
         }
         let _e23 = i_38;
-        let _e24 = pixel_48;
-        let _e25 = skin_5;
+        let _e24 = pixel_36;
+        let _e25 = skin_6;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        let _e27 = pixel_48;
-        gabor_impl_add_filtered_spots((&of_22), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_22), _e26);
         continuing {
             let _e19 = i_38;
             i_38 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_48;
-    let _e31 = skin_5;
+    let _e30 = pixel_36;
+    let _e31 = skin_6;
     let _e32 = gabor_impl_leather_layer(4i, _e30, _e31, leather, seed);
-    a_18 = _e32;
-    let _e35 = pixel_48;
-    let _e36 = skin_5;
-    let _e37 = gabor_impl_leather_layer(5i, _e35, _e36, leather, seed);
-    b_18 = _e37;
-    let _e40 = a_18;
-    let _e41 = gabor_impl_waves_pair(_e40);
-    of_22.c = _e41;
-    let _e43 = b_18;
-    let _e44 = gabor_impl_waves_pair(_e43);
-    of_22.d = _e44;
-    let _e45 = pixel_48;
-    let _e46 = a_18;
-    let _e47 = gabor_impl_turns(_e46);
-    let _e48 = b_18;
-    let _e49 = gabor_impl_turns(_e48);
-    let _e50 = of_22;
-    let _e51 = gabor_impl_leather(_e45, leather, _e47, _e49, _e50);
-    return _e51;
+    let _e33 = gabor_impl_waves_pair(_e32);
+    of_22.c = _e33;
+    let _e36 = pixel_36;
+    let _e37 = skin_6;
+    let _e38 = gabor_impl_leather_layer(5i, _e36, _e37, leather, seed);
+    let _e39 = gabor_impl_waves_pair(_e38);
+    of_22.d = _e39;
+    let _e40 = pixel_36;
+    let _e41 = skin_6;
+    let _e42 = of_22;
+    let _e43 = gabor_impl_leather(_e40, _e41, leather, _e42);
+    return _e43;
 }
 
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_49: GaborPixel;
-    var stone_4: GaborWarped;
+    var pixel_37: GaborPixel;
+    var stone_4: GaborPixel;
     var of_23: GaborPairs;
     var i_39: i32 = 0i;
     var material_1: GaborMaterial;
     var j_7: i32 = 4i;
-    var layer_12: GaborLayer;
+    var layer_11: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_49 = _e6;
-    let _e8 = pixel_49;
+    pixel_37 = _e6;
+    let _e8 = pixel_37;
     let _e9 = gabor_impl_stone(_e8, marble, seed);
     stone_4 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4070,55 +4032,53 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_39;
-        let _e24 = pixel_49;
+        let _e24 = pixel_37;
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_49;
-        gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_23), _e26);
         continuing {
             let _e19 = i_39;
             i_39 = (_e19 + 1i);
         }
     }
-    let _e29 = of_23;
-    let _e31 = of_23;
-    let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
-    material_1 = _e33;
+    let _e28 = of_23;
+    let _e30 = of_23;
+    let _e32 = gabor_impl_marble(marble, _e28.a, _e30.b);
+    material_1 = _e32;
     loop {
-        let _e37 = j_7;
-        if !((_e37 < 8i)) {
+        let _e36 = j_7;
+        if !((_e36 < 8i)) {
             break;
         }
         {
-            let _e44 = j_7;
-            let _e45 = pixel_49;
-            let _e46 = stone_4;
-            let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
-            layer_12 = _e47;
-            let _e50 = j_7;
-            let _e51 = layer_12;
-            let _e52 = pixel_49;
-            let _e53 = gabor_impl_filtered_waves(_e51, _e52);
-            gabor_impl_add_veins((&material_1), marble, _e50, _e53);
+            let _e43 = j_7;
+            let _e44 = pixel_37;
+            let _e45 = stone_4;
+            let _e46 = gabor_impl_marble_layer(_e43, _e44, _e45, seed);
+            layer_11 = _e46;
+            let _e49 = j_7;
+            let _e50 = layer_11;
+            let _e51 = gabor_impl_filtered_waves(_e50);
+            gabor_impl_add_veins((&material_1), marble, _e49, _e51);
         }
         continuing {
-            let _e41 = j_7;
-            j_7 = (_e41 + 1i);
+            let _e40 = j_7;
+            j_7 = (_e40 + 1i);
         }
     }
-    let _e55 = material_1;
-    return _e55;
+    let _e53 = material_1;
+    return _e53;
 }
 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_50: GaborPixel;
-    var dune_3: GaborWarped;
+    var pixel_38: GaborPixel;
+    var dune_3: GaborPixel;
     var of_24: GaborPairs;
     var i_40: i32 = 0i;
     var ripples_2: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_50 = _e6;
-    let _e8 = pixel_50;
+    pixel_38 = _e6;
+    let _e8 = pixel_38;
     let _e9 = gabor_impl_dune(_e8, seed);
     dune_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4129,38 +4089,36 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_40;
-        let _e24 = pixel_50;
+        let _e24 = pixel_38;
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
-        let _e27 = pixel_50;
-        gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_24), _e26);
         continuing {
             let _e19 = i_40;
             i_40 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_50;
-    let _e31 = dune_3;
-    let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
-    ripples_2 = _e32;
-    let _e35 = ripples_2;
-    let _e36 = pixel_50;
-    let _e37 = gabor_impl_filtered_waves(_e35, _e36);
-    of_24.c = _e37;
-    let _e38 = ripples_2;
-    let _e39 = of_24;
-    let _e40 = gabor_impl_sand(sand, _e38, _e39);
-    return _e40;
+    let _e29 = pixel_38;
+    let _e30 = dune_3;
+    let _e31 = gabor_impl_sand_layer(4i, _e29, _e30, sand, seed);
+    ripples_2 = _e31;
+    let _e34 = ripples_2;
+    let _e35 = gabor_impl_filtered_waves(_e34);
+    of_24.c = _e35;
+    let _e36 = ripples_2;
+    let _e37 = of_24;
+    let _e38 = gabor_impl_sand(sand, _e36, _e37);
+    return _e38;
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_51: GaborPixel;
+    var pixel_39: GaborPixel;
     var of_25: GaborPairs;
     var layers_1: i32;
     var i_41: i32 = 0i;
-    var layer_13: GaborLayer;
+    var layer_12: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_51 = _e6;
+    pixel_39 = _e6;
     let _e8 = gabor_impl_no_pairs();
     of_25 = _e8;
     let _e10 = gabor_impl_metal_layers(metal);
@@ -4173,32 +4131,31 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
         }
         {
             let _e21 = i_41;
-            let _e22 = pixel_51;
+            let _e22 = pixel_39;
             let _e23 = gabor_impl_metal_layer(_e21, _e22, metal, seed);
-            layer_13 = _e23;
+            layer_12 = _e23;
             let _e26 = i_41;
-            let _e27 = layer_13;
-            let _e28 = layer_13;
-            let _e29 = pixel_51;
-            let _e30 = gabor_impl_filtered_spots(_e28, _e29);
-            gabor_impl_add_metal((&of_25), _e26, _e27, _e30);
+            let _e27 = layer_12;
+            let _e28 = layer_12;
+            let _e29 = gabor_impl_filtered_spots(_e28);
+            gabor_impl_add_metal((&of_25), _e26, _e27, _e29);
         }
         continuing {
             let _e18 = i_41;
             i_41 = (_e18 + 1i);
         }
     }
-    let _e32 = of_25;
-    let _e33 = gabor_impl_brushed_metal(metal, _e32);
-    return _e33;
+    let _e31 = of_25;
+    let _e32 = gabor_impl_brushed_metal(metal, _e31);
+    return _e32;
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_52: GaborPixel;
-    var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var pixel_40: GaborPixel;
+    var sum_25: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_42: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_52 = _e6;
+    pixel_40 = _e6;
     loop {
         let _e21 = i_42;
         if !((_e21 < 14i)) {
@@ -4206,33 +4163,32 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
         }
         let _e29 = i_42;
         let _e30 = i_42;
-        let _e31 = pixel_52;
+        let _e31 = pixel_40;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = pixel_52;
-        let _e34 = gabor_impl_filtered_spots(_e32, _e33);
-        gabor_impl_add_scratches((&sum_24), scratches, _e29, _e34);
+        let _e33 = gabor_impl_filtered_spots(_e32);
+        gabor_impl_add_scratches((&sum_25), scratches, _e29, _e33);
         continuing {
             let _e25 = i_42;
             i_42 = (_e25 + 1i);
         }
     }
-    let _e36 = sum_24;
-    let _e37 = gabor_impl_scratches(scratches, _e36);
-    return _e37;
+    let _e35 = sum_25;
+    let _e36 = gabor_impl_scratches(scratches, _e35);
+    return _e36;
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_53: GaborPixel;
-    var skin_6: GaborWarped;
+    var pixel_41: GaborPixel;
+    var skin_7: GaborPixel;
     var direction_3: f32;
     var of_26: GaborPairs;
     var i_43: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_53 = _e6;
-    let _e8 = pixel_53;
+    pixel_41 = _e6;
+    let _e8 = pixel_41;
     let _e9 = gabor_impl_hide(_e8, seed);
-    skin_6 = _e9;
-    let _e11 = pixel_53;
+    skin_7 = _e9;
+    let _e11 = pixel_41;
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
@@ -4243,39 +4199,37 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
             break;
         }
         let _e26 = i_43;
-        let _e27 = pixel_53;
-        let _e28 = skin_6;
+        let _e27 = pixel_41;
+        let _e28 = skin_7;
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        let _e31 = pixel_53;
-        gabor_impl_add_filtered_spots((&of_26), _e30, _e31);
+        gabor_impl_add_filtered_spots((&of_26), _e30);
         continuing {
             let _e22 = i_43;
             i_43 = (_e22 + 1i);
         }
     }
-    let _e35 = pixel_53;
-    let _e36 = skin_6;
-    let _e37 = direction_3;
-    let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
-    let _e39 = pixel_53;
-    let _e40 = gabor_impl_filtered_waves(_e38, _e39);
-    of_26.c = _e40;
-    let _e41 = of_26;
-    let _e42 = gabor_impl_zebra(zebra, _e41);
-    return _e42;
+    let _e34 = pixel_41;
+    let _e35 = skin_7;
+    let _e36 = direction_3;
+    let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
+    let _e38 = gabor_impl_filtered_waves(_e37);
+    of_26.c = _e38;
+    let _e39 = of_26;
+    let _e40 = gabor_impl_zebra(zebra, _e39);
+    return _e40;
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_54: GaborPixel;
-    var trunk_3: GaborWarped;
+    var pixel_42: GaborPixel;
+    var trunk_3: GaborPixel;
     var of_27: GaborPairs;
     var i_44: i32 = 0i;
     var j_8: i32 = 6i;
-    var pair_5: GaborPair;
+    var pair_4: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_54 = _e6;
-    let _e8 = pixel_54;
+    pixel_42 = _e6;
+    let _e8 = pixel_42;
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4286,56 +4240,54 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_44;
-        let _e24 = pixel_54;
+        let _e24 = pixel_42;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        let _e27 = pixel_54;
-        gabor_impl_add_filtered_spots((&of_27), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_27), _e26);
         continuing {
             let _e19 = i_44;
             i_44 = (_e19 + 1i);
         }
     }
     loop {
-        let _e31 = j_8;
-        if !((_e31 < 8i)) {
+        let _e30 = j_8;
+        if !((_e30 < 8i)) {
             break;
         }
         {
-            let _e38 = j_8;
-            let _e39 = pixel_54;
-            let _e40 = trunk_3;
-            let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
-            let _e42 = pixel_54;
-            let _e43 = gabor_impl_filtered_waves(_e41, _e42);
-            pair_5 = _e43;
-            let _e45 = j_8;
-            if (_e45 == 6i) {
-                let _e49 = pair_5;
-                of_27.c = _e49;
+            let _e37 = j_8;
+            let _e38 = pixel_42;
+            let _e39 = trunk_3;
+            let _e40 = gabor_impl_bark_layer(_e37, _e38, _e39, bark, seed);
+            let _e41 = gabor_impl_filtered_waves(_e40);
+            pair_4 = _e41;
+            let _e43 = j_8;
+            if (_e43 == 6i) {
+                let _e47 = pair_4;
+                of_27.c = _e47;
             } else {
-                let _e51 = pair_5;
-                of_27.d = _e51;
+                let _e49 = pair_4;
+                of_27.d = _e49;
             }
         }
         continuing {
-            let _e35 = j_8;
-            j_8 = (_e35 + 1i);
+            let _e34 = j_8;
+            j_8 = (_e34 + 1i);
         }
     }
-    let _e52 = of_27;
-    let _e53 = gabor_impl_bark(bark, _e52);
-    return _e53;
+    let _e50 = of_27;
+    let _e51 = gabor_impl_bark(bark, _e50);
+    return _e51;
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_55: GaborPixel;
-    var rock_3: GaborWarped;
+    var pixel_43: GaborPixel;
+    var rock_3: GaborPixel;
     var of_28: GaborPairs;
     var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_55 = _e6;
-    let _e8 = pixel_55;
+    pixel_43 = _e6;
+    let _e8 = pixel_43;
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4346,19 +4298,18 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_45;
-        let _e24 = pixel_55;
+        let _e24 = pixel_43;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        let _e27 = pixel_55;
-        gabor_impl_add_filtered_spots((&of_28), _e26, _e27);
+        gabor_impl_add_filtered_spots((&of_28), _e26);
         continuing {
             let _e19 = i_45;
             i_45 = (_e19 + 1i);
         }
     }
-    let _e29 = of_28;
-    let _e30 = gabor_impl_strata(strata, _e29);
-    return _e30;
+    let _e28 = of_28;
+    let _e29 = gabor_impl_strata(strata, _e28);
+    return _e29;
 }
 
 // ---- Definitions of the other public functions ---------------------------------------------------------------------
@@ -4368,7 +4319,7 @@ fn gabor_roughness(material: GaborMaterial) -> f32 {
     alpha = (material.roughness * material.roughness);
     let _e5 = alpha;
     let _e6 = alpha;
-    return sqrt(sqrt(min(((_e5 * _e6) + (0.61f * (material.lost.x + material.lost.y))), 1f)));
+    return sqrt(sqrt(min(((_e5 * _e6) + (0.5f * (material.lost.x + material.lost.y))), 1f)));
 }
 
 fn gabor_wood_default() -> GaborWood {
@@ -4396,7 +4347,7 @@ fn gabor_zebra_default() -> GaborZebra {
     return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);
 }
 fn gabor_bark_default() -> GaborBark {
-    return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f, 0.9f);
+    return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.08f, 0.9f);
 }
 fn gabor_carbon_fibre_default() -> GaborCarbonFibre {
     return GaborCarbonFibre(vec3<f32>(0.028f, 0.029f, 0.031f), 4f, 0.3f, 1f, 0.3f);

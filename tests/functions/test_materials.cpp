@@ -33,8 +33,7 @@ namespace {
 struct Material {
     const char* name;
     float step;     // for differences of the height
-    double fixed;   // largest error of filtered slopes, relative to their rms
-    double gloss;   // largest error in a room, relative to the mean
+    double gloss;   // largest error of gabor_roughness in a room, relative to the mean
     Ranges numbers; // documented ranges
     Numbers defaults;
     GaborMaterial (*plain)(Vec2 p, const Numbers& parameters, unsigned seed);
@@ -85,34 +84,32 @@ GaborMaterial raised(GaborMaterial m, Vec2 p) {
 // clang-format on
 const std::vector<Material> materials = [] {
     std::vector<Material> all{
-        MADE(GaborWood, gabor_wood, 2e-4f, 0.15, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
-        MADE(GaborFabric, gabor_fabric, 2e-4f, 0.1, 0.09,
+        MADE(GaborWood, gabor_wood, 2e-4f, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
+        MADE(GaborFabric, gabor_fabric, 2e-4f, 0.09,
              Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}, {0, 2}}),
-        MADE(GaborLeather, gabor_leather, 1e-3f, 0.25, 0.1, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
-        MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
-        MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
-        MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.06,
+        MADE(GaborLeather, gabor_leather, 1e-3f, 0.1, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
+        MADE(GaborMarble, gabor_marble, 1e-4f, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
+        MADE(GaborSand, gabor_sand, 1e-3f, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
+        MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.06,
              Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}, {0, 1}}),
-        MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
+        MADE(GaborScratches, gabor_scratches, 1e-4f, 0.06,
              Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
-        MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08,
-             Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
-        MADE(GaborBark, gabor_bark, 4e-4f, 0.3, 0.17, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
-        MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.13,
-             Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
-        MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
+        MADE(GaborZebra, gabor_zebra, 1e-4f, 0.08, Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
+        MADE(GaborBark, gabor_bark, 4e-4f, 0.12, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
+        MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.09, Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
+        MADE(GaborStrata, gabor_strata, 4e-4f, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
     // What is off by default.
     for (const auto& [base, name, from_last, number] :
          {std::tuple(1, "herringbone", 0, 2.0f), {1, "corduroy", 1, 1.5f}, {5, "patina", 0, 0.55f}}) {
         all.push_back(all[static_cast<std::size_t>(base)]);
         all.back().name = name;
         all.back().defaults.rbegin()[from_last] = number;
-        if (from_last == 1) // cords far away are not quite as bright as a rough plane
-            all.back().gloss = 0.17;
+        if (from_last == 1) // whose lobe would be rougher than 1
+            all.back().gloss = 0.15;
     }
     const auto wood = numbers_of(gabor_wood_default());
     all.push_back(
-        {"boards", 2e-4f, 0.1, 0.09, all.front().numbers, wood,
+        {"boards", 2e-4f, 0.09, all.front().numbers, wood,
          [](Vec2 p, const Numbers& n, unsigned seed) { return on_boards(p, Vec2(0), Vec2(0), n, seed); },
          on_boards});
     return all;
@@ -122,7 +119,6 @@ const std::vector<Material> materials = [] {
 const std::vector<Material> combined{
     {"covered",
      1e-4f,
-     0.1,
      0,
      {},
      {},
@@ -135,7 +131,6 @@ const std::vector<Material> combined{
      }},
     {"worn",
      1e-4f,
-     0.1,
      0,
      {},
      {},
@@ -165,20 +160,29 @@ GaborMaterial value_of(const Material& m, float pixel, Vec2 p, unsigned seed) {
 }
 
 // The light of a room with a bright window that `count` random facets with GGX's distribution mirror.
-double mirrored(const GaborMaterial& m, float roughness, int count, Random& random) {
+// `spread` is the square of the matrix of their roughness along the surface: xx, yy, xy.
+double mirrored(const GaborMaterial& m, const Vector<3>& spread, int count, Random& random) {
     const Vector<3> eye{-0.4, 0.2, 0.8944}, window{0.6, -0.3, 0.7416};
     const Vector<3> normal = unit(Vector<3>{-wide(m.slope.x), -wide(m.slope.y), 1});
     const Vector<3> x = unit(Vector<3>{1, 0, wide(m.slope.x)}), y = cross(normal, x);
+    const double along = std::sqrt(spread[0]), both = along > 0 ? spread[2] / along : 0; // Cholesky
+    const double across = std::sqrt(std::max(spread[1] - square(both), 0.0));
     double light = 0;
     for (int i = 0; i < count; ++i) {
-        const double share = wide(random.uniform(0, 0.9999)), turn = wide(random.uniform(0, 6.2831853));
-        const double tilt = square(wide(roughness)) * std::sqrt(share / (1 - share));
-        const Vector<3> across = sum(std::cos(turn), x, std::sin(turn), y);
-        const Vector<3> facet = unit(sum(1, normal, tilt, across));
+        const double share = (i + wide(random.uniform(0, 0.9999))) / count;
+        const double turn = wide(random.uniform(0, 6.2831853)), tilt = std::sqrt(share / (1 - share));
+        const double first = tilt * std::cos(turn), second = tilt * std::sin(turn);
+        const Vector<3> facet =
+            unit(sum(1, normal, 1, sum(along * first, x, both * first + across * second, y)));
         const double seen = 2 * dot(facet, eye) * dot(facet, window) - dot(eye, window);
         light += (0.2 + 1 / (1 + std::exp(6 - 8 * seen))) / count;
     }
     return light;
+}
+
+double mirrored(const GaborMaterial& m, float roughness, int count, Random& random) {
+    const double spread = square(square(wide(roughness)));
+    return mirrored(m, Vector<3>{spread, spread, 0}, count, random);
 }
 
 } // namespace
@@ -224,7 +228,7 @@ TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]
             fmt::print("  {:<13} pixel {:.3f}: slopes off by {:.4f} of their rms, {} creases\n", m.name,
                        pixel, std::sqrt(error) / rms, creases);
             INFO(m.name << ", pixel " << pixel);
-            CHECK(std::sqrt(error) <= (pixel > 0 ? m.fixed : 0.01) * rms);
+            CHECK(std::sqrt(error) <= (pixel > 0 ? 0.03 : 0.01) * rms);
             CHECK(creases < points / 5); // a filtered weave has the creases of 16 samples
         }
 }
@@ -272,7 +276,7 @@ TEST_CASE("materials keep their gloss at every distance", "[materials]") {
     for (const Material& m : materials)
         for (const float pixel : {1 / 256.0f, 1 / 64.0f, 1 / 16.0f, 0.25f, 1.0f}) {
             Random random(6);
-            double mean = 0, error = 0, ignored = 0;
+            double mean = 0, round = 0, oblong = 0, ignored = 0;
             for (int i = 0; i < pixels; ++i) {
                 const Vec2 p = random.uniform<Vec2>(0, 30);
                 const auto seed = random.word();
@@ -284,18 +288,27 @@ TEST_CASE("materials keep their gloss at every distance", "[materials]") {
                 for (int j = 0; j < strata * strata; ++j) {
                     const Vec2 at(p.x + offset(j % strata), p.y + offset(j / strata));
                     const GaborMaterial plain = value_of(m, 0, at, seed);
-                    expected += mirrored(plain, plain.roughness, 1, random) / (strata * strata);
+                    expected += mirrored(plain, plain.roughness, 4, random) / (strata * strata);
                 }
                 const GaborMaterial filtered = value_of(m, pixel, p, seed);
                 mean += expected / pixels;
-                error +=
-                    square(mirrored(filtered, gabor_roughness(filtered), 2000, random) - expected) / pixels;
-                ignored += square(mirrored(filtered, filtered.roughness, 2000, random) - expected) / pixels;
+                const double sharp = square(square(wide(filtered.roughness)));
+                const Vector<3> spread{sharp + wide(filtered.lost.x), sharp + wide(filtered.lost.y),
+                                       wide(filtered.lost.z)}; // as in docs/materials.md
+                const auto off = [&](const auto& with) {
+                    return square(mirrored(filtered, with, 2000, random) - expected) / pixels;
+                };
+                round += off(gabor_roughness(filtered));
+                oblong += off(spread);
+                ignored += off(filtered.roughness);
             }
-            fmt::print("  {:<13} pixel {:.4f}: light off by {:.3f} of its mean, {:.3f} without `lost`\n",
-                       m.name, pixel, std::sqrt(error) / mean, std::sqrt(ignored) / mean);
+            fmt::print("  {:<13} pixel {:.4f}: light off by {:.3f} of its mean, {:.3f} with round lobes, "
+                       "{:.3f} without `lost`\n",
+                       m.name, pixel, std::sqrt(oblong) / mean, std::sqrt(round) / mean,
+                       std::sqrt(ignored) / mean);
             INFO(m.name << ", pixel " << pixel);
-            CHECK(std::sqrt(error) / mean < m.gloss);
+            CHECK(std::sqrt(oblong) / mean < 0.09);
+            CHECK(std::sqrt(round) / mean < m.gloss);
         }
 }
 
