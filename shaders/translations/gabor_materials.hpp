@@ -976,7 +976,7 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
     gabor_vec2 dx = gabor_vec2(gabor_cpp_dot(wave_a, skin.dx), gabor_cpp_dot(wave_b, skin.dx));
     gabor_vec2 dy = gabor_vec2(gabor_cpp_dot(wave_a, skin.dy), gabor_cpp_dot(wave_b, skin.dy));
     float spread = gabor_impl_sample_spread(dx, dy), bend = gabor_cpp_exp(-30.0f * spread * spread);
-    float kept = 1.0f - gabor_cpp_smoothstep(0.4f, 0.8f, spread), share = 0.0f;
+    float kept = 1.0f - gabor_cpp_smoothstep(0.4f, 0.8f, spread), share = 0.0f, grains = 0.0f;
     gabor_vec3 height = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -987,9 +987,13 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
         gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         gabor_vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
-        gabor_vec3 pebble = gabor_impl_step(-1.45f, -0.55f, cells + 0.1f * of.a.second);
+        gabor_vec3 grained = cells + 0.1f * of.a.second;
+        gabor_vec2 pebble = gabor_impl_step(-1.45f, -0.55f, gabor_vec3(grained.x, 1.0f, 0.0f)).xy(); // with its derivative
         share += pebble.x;
-        gabor_vec3 relief = 0.016f * pebble + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells) + 0.0008f * of.a.second;
+        gabor_vec3 relief = 0.016f * gabor_vec3(pebble.x, pebble.y * grained.yz()) + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells)
+                    + 0.0008f * of.a.second;
+        float grain = 0.0016f * pebble.y + 0.0008f; // the height's derivative by the grain
+        grains += grain * grain;
         height += relief;
         lost += gabor_impl_square(relief.yz());
     }
@@ -999,7 +1003,7 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + 6.4e-7f * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
 

@@ -977,7 +977,7 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
     float2 dx = float2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     float2 dy = float2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
     float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-30.0 * spread * spread);
-    float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0;
+    float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0, grains = 0.0;
     float3 height = float3(0.0), lost = float3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -988,9 +988,13 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
         gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         float3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
-        float3 pebble = gabor_impl_step(-1.45, -0.55, cells + 0.1 * of.a.second);
+        float3 grained = cells + 0.1 * of.a.second;
+        float2 pebble = gabor_impl_step(-1.45, -0.55, float3(grained.x, 1.0, 0.0)).xy; // with its derivative
         share += pebble.x;
-        float3 relief = 0.016 * pebble + 0.013 * gabor_impl_step(-1.0, 3.0, cells) + 0.0008 * of.a.second;
+        float3 relief = 0.016 * float3(pebble.x, pebble.y * grained.yz) + 0.013 * gabor_impl_step(-1.0, 3.0, cells)
+                    + 0.0008 * of.a.second;
+        float grain = 0.0016 * pebble.y + 0.0008; // the height's derivative by the grain
+        grains += grain * grain;
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
@@ -1000,7 +1004,7 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + 6.4e-7 * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 

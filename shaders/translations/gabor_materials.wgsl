@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d254031fe41e24a6.
+// naga 30.0.1 made it from GLSL with the digest b5517108dcf9dca0.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -2547,6 +2547,7 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     var bend_2: f32;
     var kept_6: f32;
     var share: f32 = 0f;
+    var grains: f32 = 0f;
     var height_5: vec3<f32> = vec3(0f);
     var lost_8: vec3<f32> = vec3(0f);
     var samples_2: i32;
@@ -2558,8 +2559,10 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     var sine_a: vec3<f32>;
     var sine_b: vec3<f32>;
     var cells: vec3<f32>;
-    var pebble: vec3<f32>;
+    var grained: vec3<f32>;
+    var pebble: vec2<f32>;
     var relief: vec3<f32>;
+    var grain: f32;
     var square_5: vec3<f32>;
     var tones_1: vec2<f32>;
     var colour_5: vec3<f32>;
@@ -2582,95 +2585,109 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     bend_2 = exp(((-30f * _e34) * _e36));
     let _e43 = spread_4;
     kept_6 = (1f - smoothstep(0.4f, 0.8f, _e43));
-    let _e55 = spread_4;
-    let _e56 = gabor_impl_samples(_e55);
-    samples_2 = _e56;
+    let _e57 = spread_4;
+    let _e58 = gabor_impl_samples(_e57);
+    samples_2 = _e58;
     loop {
-        let _e60 = i_17;
-        let _e61 = samples_2;
-        if !((_e60 < _e61)) {
+        let _e62 = i_17;
+        let _e63 = samples_2;
+        if !((_e62 < _e63)) {
             break;
         }
         {
-            let _e67 = dx_12;
-            let _e68 = dy_12;
-            let _e69 = i_17;
-            let _e70 = samples_2;
-            let _e71 = gabor_impl_sample(_e67, _e68, _e69, _e70);
-            offset_5 = _e71;
-            let _e73 = bend_2;
-            let _e76 = i_17;
-            let _e77 = samples_2;
-            let _e78 = gabor_impl_sample(pixel.dx, pixel.dy, _e76, _e77);
-            further = (_e73 * _e78);
-            let _e86 = wave_a;
-            let _e87 = further;
-            let _e88 = offset_5;
-            let _e90 = gabor_impl_moved_waves(of_.c, skin, _e86, _e87, _e88.x);
-            gabor_impl_crest(_e90, (&a_14), (&sine_a));
-            let _e96 = wave_b;
-            let _e97 = further;
-            let _e98 = offset_5;
-            let _e100 = gabor_impl_moved_waves(of_.d, skin, _e96, _e97, _e98.y);
-            gabor_impl_crest(_e100, (&b_16), (&sine_b));
-            let _e105 = a_14;
-            let _e106 = b_16;
-            let _e108 = a_14;
-            let _e109 = b_16;
-            let _e110 = gabor_impl_times(_e108, _e109);
-            let _e112 = sine_a;
-            let _e113 = sine_b;
-            let _e114 = gabor_impl_times(_e112, _e113);
-            cells = (((_e105 + _e106) + _e110) - _e114);
-            let _e121 = cells;
-            let _e127 = gabor_impl_step(-1.45f, -0.55f, (_e121 + (0.1f * of_.a.second)));
-            pebble = _e127;
-            let _e129 = share;
-            let _e130 = pebble;
-            share = (_e129 + _e130.x);
-            let _e134 = pebble;
-            let _e140 = cells;
-            let _e141 = gabor_impl_step(-1f, 3f, _e140);
-            relief = (((0.016f * _e134) + (0.013f * _e141)) + (0.0008f * of_.a.second));
-            let _e150 = height_5;
-            let _e151 = relief;
-            height_5 = (_e150 + _e151);
-            let _e153 = lost_8;
-            let _e154 = relief;
-            let _e156 = gabor_impl_square(_e154.yz);
-            lost_8 = (_e153 + _e156);
+            let _e69 = dx_12;
+            let _e70 = dy_12;
+            let _e71 = i_17;
+            let _e72 = samples_2;
+            let _e73 = gabor_impl_sample(_e69, _e70, _e71, _e72);
+            offset_5 = _e73;
+            let _e75 = bend_2;
+            let _e78 = i_17;
+            let _e79 = samples_2;
+            let _e80 = gabor_impl_sample(pixel.dx, pixel.dy, _e78, _e79);
+            further = (_e75 * _e80);
+            let _e88 = wave_a;
+            let _e89 = further;
+            let _e90 = offset_5;
+            let _e92 = gabor_impl_moved_waves(of_.c, skin, _e88, _e89, _e90.x);
+            gabor_impl_crest(_e92, (&a_14), (&sine_a));
+            let _e98 = wave_b;
+            let _e99 = further;
+            let _e100 = offset_5;
+            let _e102 = gabor_impl_moved_waves(of_.d, skin, _e98, _e99, _e100.y);
+            gabor_impl_crest(_e102, (&b_16), (&sine_b));
+            let _e107 = a_14;
+            let _e108 = b_16;
+            let _e110 = a_14;
+            let _e111 = b_16;
+            let _e112 = gabor_impl_times(_e110, _e111);
+            let _e114 = sine_a;
+            let _e115 = sine_b;
+            let _e116 = gabor_impl_times(_e114, _e115);
+            cells = (((_e107 + _e108) + _e112) - _e116);
+            let _e119 = cells;
+            grained = (_e119 + (0.1f * of_.a.second));
+            let _e130 = grained;
+            let _e135 = gabor_impl_step(-1.45f, -0.55f, vec3<f32>(_e130.x, 1f, 0f));
+            pebble = _e135.xy;
+            let _e138 = share;
+            let _e139 = pebble;
+            share = (_e138 + _e139.x);
+            let _e143 = pebble;
+            let _e145 = pebble;
+            let _e147 = grained;
+            let _e149 = (_e145.y * _e147.yz);
+            let _e158 = cells;
+            let _e159 = gabor_impl_step(-1f, 3f, _e158);
+            relief = (((0.016f * vec3<f32>(_e143.x, _e149.x, _e149.y)) + (0.013f * _e159)) + (0.0008f * of_.a.second));
+            let _e169 = pebble;
+            grain = ((0.0016f * _e169.y) + 0.0008f);
+            let _e175 = grains;
+            let _e176 = grain;
+            let _e177 = grain;
+            grains = (_e175 + (_e176 * _e177));
+            let _e180 = height_5;
+            let _e181 = relief;
+            height_5 = (_e180 + _e181);
+            let _e183 = lost_8;
+            let _e184 = relief;
+            let _e186 = gabor_impl_square(_e184.yz);
+            lost_8 = (_e183 + _e186);
         }
         continuing {
-            let _e64 = i_17;
-            i_17 = (_e64 + 1i);
+            let _e66 = i_17;
+            i_17 = (_e66 + 1i);
         }
     }
     square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, -0.00012f));
-    let _e170 = samples_2;
-    let _e171 = kept_6;
-    let _e173 = square_5;
-    gabor_impl_average((&height_5), (&lost_8), _e170, _e171, 0.015964f, _e173);
-    let _e177 = share;
-    let _e178 = samples_2;
-    let _e181 = kept_6;
-    share = mix(0.806f, (_e177 / f32(_e178)), _e181);
-    let _e189 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e196 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
-    tones_1 = (_e189 + _e196);
-    let _e200 = tones_1;
-    let _e201 = gabor_impl_toned(leather.crease, _e200);
-    let _e203 = tones_1;
-    let _e204 = gabor_impl_toned(leather.pebble, _e203);
-    let _e205 = share;
-    colour_5 = mix(_e201, _e204, vec3(_e205));
-    let _e212 = lost_8;
-    lost_8 = ((leather.relief * leather.relief) * (_e212 + (0.00000064f * of_.a.lost)));
-    let _e219 = colour_5;
-    let _e221 = height_5;
-    let _e223 = lost_8;
-    let _e227 = share;
-    let _e232 = gabor_impl_material(_e219, (leather.relief * _e221), _e223, (leather.roughness + (0.15f * (1f - _e227))), 0f);
-    return _e232;
+    let _e200 = samples_2;
+    let _e201 = kept_6;
+    let _e203 = square_5;
+    gabor_impl_average((&height_5), (&lost_8), _e200, _e201, 0.015964f, _e203);
+    let _e207 = share;
+    let _e208 = samples_2;
+    let _e211 = kept_6;
+    share = mix(0.806f, (_e207 / f32(_e208)), _e211);
+    let _e219 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e226 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_1 = (_e219 + _e226);
+    let _e230 = tones_1;
+    let _e231 = gabor_impl_toned(leather.crease, _e230);
+    let _e233 = tones_1;
+    let _e234 = gabor_impl_toned(leather.pebble, _e233);
+    let _e235 = share;
+    colour_5 = mix(_e231, _e234, vec3(_e235));
+    let _e242 = lost_8;
+    let _e244 = grains;
+    let _e245 = samples_2;
+    let _e248 = kept_6;
+    lost_8 = ((leather.relief * leather.relief) * (_e242 + (mix(0.00000064f, (_e244 / f32(_e245)), _e248) * of_.a.lost)));
+    let _e255 = colour_5;
+    let _e257 = height_5;
+    let _e259 = lost_8;
+    let _e263 = share;
+    let _e268 = gabor_impl_material(_e255, (leather.relief * _e257), _e259, (leather.roughness + (0.15f * (1f - _e263))), 0f);
+    return _e268;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
