@@ -59,6 +59,15 @@ class Ocean(ProgramTest):
             print(f"wind {wind}: {covered:.4f} of the sea is foam, {measured:.4f} was measured")
             self.assertAlmostEqual(covered / measured, 1, delta=0.1)
 
+    def test_a_pixel_near_the_horizon_shows_the_mean_of_its_foam(self):
+        once, parts = (self.drawn("--wind=18", "--altitude=15", "--seed=2", size=size)["foam"] for size in ("160x80", "960x480"))
+        mean = parts.reshape(80, 6, 160, 6).mean(axis=(1, 3))
+        for rows in slice(30, 40), slice(40, 60), slice(60, 80):
+            contrast, error = once[rows].std() / mean[rows].std(), (once - mean)[rows].std() / mean[rows].std()
+            print(f"rows {rows.start} to {rows.stop}: {contrast:.2f} of the contrast, off by {error:.2f} of it")
+            self.assertLess(contrast, 1.1)
+            self.assertLess(error, 0.9)
+
     def test_it_moves_and_a_part_equals_the_whole(self):
         first, later = (self.drawn(f"--time={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))
         water = first["fold"] > 0
