@@ -911,7 +911,7 @@ float gabor_impl_rise_lost(float phase, float span, float full) {
     float2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
     return max(ends.z * (integral.y - integral.x) - change * change, 0.0)
-         * max(1.0 - span * span / (full * full), 0.0);
+         * sqrt(max(1.0 - span * span / (full * full), 0.0)); // as an edge is blurred: by the length of the blur
 }
 
 // A smoothstep from `low` to `high`.

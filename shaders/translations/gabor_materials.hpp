@@ -689,7 +689,7 @@ GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
     gabor_vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
     return gabor_cpp_max(ends.z * (integral.y - integral.x) - change * change, 0.0f)
-         * gabor_cpp_max(1.0f - span * span / (full * full), 0.0f);
+         * gabor_cpp_sqrt(gabor_cpp_max(1.0f - span * span / (full * full), 0.0f)); // as an edge is blurred: by the length of the blur
 }
 
 // A smoothstep from `low` to `high`.

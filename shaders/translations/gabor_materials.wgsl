@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b5517108dcf9dca0.
+// naga 30.0.1 made it from GLSL with the digest 18d6d2d310081a39.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -1494,7 +1494,7 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     let _e83 = integral_1;
     let _e87 = change_3;
     let _e88 = change_3;
-    return (max(((_e79.z * (_e81.y - _e83.x)) - (_e87 * _e88)), 0f) * max((1f - ((span * span) / (full * full))), 0f));
+    return (max(((_e79.z * (_e81.y - _e83.x)) - (_e87 * _e88)), 0f) * sqrt(max((1f - ((span * span) / (full * full))), 0f)));
 }
 
 // A smoothstep from `low` to `high`.
