@@ -1517,14 +1517,16 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     float3 colour = lerp(lerp(gabor_impl_toned(bark.furrow, tone), moss, covered), lerp(top, moss, 0.6 * covered), plate.x);
     float3 coarse = float3(0.4, 0.0, 0.0) + 0.6 * plate;
     float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
+    // the plate.
     float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.d.first, of.d.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
-    float both = 0.0072 * bark.depth * whole.x * gabor_impl_above(float3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
-    float3 lost = bark.depth * bark.depth
+    float deep = bark.depth + 0.0108 * of.a.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
+    float both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(float3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    float3 lost = (deep * deep + 0.00011664 * of.a.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
                  + 0.3025 * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13))
-              + coarse.x * (0.000324 * coarse.x + both) * of.a.lost;
+              + (0.000324 * coarses + both) * of.a.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
 

@@ -1295,14 +1295,16 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.a.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
+    // the plate.
     float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.d.first, of.d.removed, 0.0919239f).x;
     float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
-    float both = 0.0072f * bark.depth * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
-    gabor_vec3 lost = bark.depth * bark.depth
+    float deep = bark.depth + 0.0108f * of.a.first.x, coarses = 0.16f + 0.48f * plate.x + 0.36f * wholes * rises;
+    float both = 0.0072f * deep * coarse.x * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
+    gabor_vec3 lost = (deep * deep + 0.00011664f * of.a.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04f * of.a.lost, -0.15f, 0.35f)
                  + 0.3025f * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f))
-              + coarse.x * (0.000324f * coarse.x + both) * of.a.lost;
+              + (0.000324f * coarses + both) * of.a.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0f);
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 18d6d2d310081a39.
+// naga 30.0.1 made it from GLSL with the digest 8a52c46943bdf281.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -3595,6 +3595,8 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var height_9: vec3<f32>;
     var wholes: f32;
     var rises: f32;
+    var deep_1: f32;
+    var coarses: f32;
     var both: f32;
     var lost_12: vec3<f32>;
     shape = (of_.c.first + (0.2f * of_.a.first));
@@ -3651,26 +3653,34 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e170 = removed_7;
     let _e172 = removed_7;
     rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
-    let _e181 = whole_4;
-    let _e184 = shape;
-    let _e189 = removed_7;
-    let _e193 = gabor_impl_above(vec3<f32>(_e184.x, 1f, 0f), _e189, -0.15f, 0.35f);
-    both = (((0.0072f * bark.depth) * _e181.x) * _e193.y);
-    let _e200 = wholes;
-    let _e201 = shape;
-    let _e202 = removed_7;
-    let _e213 = gabor_impl_above_lost(_e201, _e202, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
-    let _e216 = rises;
-    let _e225 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
-    let _e229 = coarse;
-    let _e232 = coarse;
-    let _e235 = both;
-    lost_12 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
-    let _e243 = colour_10;
-    let _e244 = height_9;
-    let _e245 = lost_12;
-    let _e248 = gabor_impl_material(_e243, _e244, _e245, bark.roughness, 0f);
-    return _e248;
+    deep_1 = (bark.depth + (0.0108f * of_.a.first.x));
+    let _e188 = plate;
+    let _e193 = wholes;
+    let _e195 = rises;
+    coarses = ((0.16f + (0.48f * _e188.x)) + ((0.36f * _e193) * _e195));
+    let _e200 = deep_1;
+    let _e202 = coarse;
+    let _e205 = whole_4;
+    let _e208 = shape;
+    let _e213 = removed_7;
+    let _e217 = gabor_impl_above(vec3<f32>(_e208.x, 1f, 0f), _e213, -0.15f, 0.35f);
+    both = ((((0.0072f * _e200) * _e202.x) * _e205.x) * _e217.y);
+    let _e221 = deep_1;
+    let _e222 = deep_1;
+    let _e229 = wholes;
+    let _e230 = shape;
+    let _e231 = removed_7;
+    let _e242 = gabor_impl_above_lost(_e230, _e231, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
+    let _e245 = rises;
+    let _e254 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
+    let _e259 = coarses;
+    let _e261 = both;
+    lost_12 = ((((_e221 * _e222) + (0.00011664f * of_.a.removed)) * ((_e229 * _e242) + ((0.3025f * _e245) * _e254))) + (((0.000324f * _e259) + _e261) * of_.a.lost));
+    let _e268 = colour_10;
+    let _e269 = height_9;
+    let _e270 = lost_12;
+    let _e273 = gabor_impl_material(_e268, _e269, _e270, bark.roughness, 0f);
+    return _e273;
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
