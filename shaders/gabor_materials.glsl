@@ -41,7 +41,7 @@ struct GaborMaterial {
 
 // float gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
+//     half of the variance of the removed slopes: with this share, GGX reflects a room most nearly as the relief does.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -282,8 +282,8 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
-// slopes of the filtered height, which leave out this change, would be wrong.
+// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
+// slopes of a filtered height leave out how the steps change.
 GaborPixel gabor_impl_warp(GaborPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = vec4(density * at.dx, density * at.dy);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
@@ -684,7 +684,7 @@ float gabor_impl_rise_lost(float phase, float span, float full) {
     vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
     return max(ends.z * (integral.y - integral.x) - change * change, 0.0)
-         * sqrt(max(1.0 - span * span / (full * full), 0.0)); // as an edge is blurred: by the length of the blur
+         * sqrt(max(1.0 - span * span / (full * full), 0.0)); // an edge loses in proportion to the blur's length
 }
 
 // A smoothstep from `low` to `high`.

@@ -108,7 +108,7 @@ float foam_on(Sea sea, GaborWater w, vec2 p, vec2 across, vec2 along) {
                              kept_of(across, along, vec2(0.5, 1.1), vec2(0.2763, 0.257)),
                              kept_of(across, along, vec2(2.5), vec2(-0.8323, 1.8186)),
                              kept_of(across, along, vec2(0.041 / sea.high), vec2(0.0)));
-    // 1.01, because sums of few nodes exceed two deviations less often than normal numbers.
+    // A sum of few nodes exceeds two deviations less often than a normal number does: hence 1.01.
     float caps = (1.01 * (dot(left.xyz, torn) + whole.w * w.height / sea.high) - least * sqrt(1.0 + edge * edge)) / edge;
     float removed = 1.0 + (dot(whole, whole) - dot(left, left)) / (edge * edge), finest = 1.0 + detail * detail;
     vec3 kept = vec3(0.0), zeros = kept;

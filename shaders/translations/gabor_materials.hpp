@@ -46,7 +46,7 @@ struct GaborMaterial {
 
 // float gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
+//     half of the variance of the removed slopes: with this share, GGX reflects a room most nearly as the relief does.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -287,8 +287,8 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
-// slopes of the filtered height, which leave out this change, would be wrong.
+// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
+// slopes of a filtered height leave out how the steps change.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_vec4(density * at.dx, density * at.dy);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
@@ -689,7 +689,7 @@ GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
     gabor_vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
     return gabor_cpp_max(ends.z * (integral.y - integral.x) - change * change, 0.0f)
-         * gabor_cpp_sqrt(gabor_cpp_max(1.0f - span * span / (full * full), 0.0f)); // as an edge is blurred: by the length of the blur
+         * gabor_cpp_sqrt(gabor_cpp_max(1.0f - span * span / (full * full), 0.0f)); // an edge loses in proportion to the blur's length
 }
 
 // A smoothstep from `low` to `high`.

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 8a52c46943bdf281.
+// naga 30.0.1 made it from GLSL with the digest 16cd8dc2a5b18e0e.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -36,7 +36,7 @@ struct GaborMaterial {
 
 // f32 gabor_roughness(GaborMaterial material)
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
-//     half of the variance of the removed slopes. GGX has long tails: a room is mirrored best with this share.
+//     half of the variance of the removed slopes: with this share, GGX reflects a room most nearly as the relief does.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -388,8 +388,8 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less: their local slopes are not those of the pixel, and if steps changed quickly,
-// slopes of the filtered height, which leave out this change, would be wrong.
+// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
+// slopes of a filtered height leave out how the steps change.
 fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborPixel {
     var amplitude_5: vec2<f32>;
     var steps: vec4<f32>;
