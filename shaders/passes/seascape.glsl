@@ -88,7 +88,7 @@ float chance_below(float x) {
     return 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));
 }
 
-// What a pixel with these sides keeps of the amplitude of a noise with `density` kernel radii and `wave` turns per metre.
+// Returns the share of a noise's amplitude that a pixel with these sides keeps. `density` is in kernel radii per metre, `wave` in turns.
 float kept_of(vec2 across, vec2 along, vec2 density, vec2 wave) {
     vec2 turns = vec2(dot(wave, across), dot(wave, along));
     vec4 radii = vec4(density * across, density * along);

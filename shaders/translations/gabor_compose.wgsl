@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 7a6cbe44027fa74d.
+// naga 30.0.1 made it from GLSL with the digest a20e46d0eb7d52fd.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -83,17 +83,17 @@ fn gabor_boards_default() -> GaborBoards {
 // normal distribution functions with the standard deviation 1 / scale.
 fn gabor_impl_joint(x: f32, gap: f32, scale: f32) -> vec2<f32> {
     var t_12: vec2<f32>;
-    var density_8: vec2<f32>;
+    var density_9: vec2<f32>;
     t_12 = clamp((scale * vec2<f32>((x + (0.5f * gap)), (x - (0.5f * gap)))), vec2(-10f), vec2(10f));
     let _e20 = t_12;
     let _e22 = t_12;
-    density_8 = exp(((-0.5f * _e20) * _e22));
+    density_9 = exp(((-0.5f * _e20) * _e22));
     let _e26 = t_12;
     let _e28 = gabor_impl_below(_e26.x);
     let _e29 = t_12;
     let _e31 = gabor_impl_below(_e29.y);
-    let _e35 = density_8;
-    let _e37 = density_8;
+    let _e35 = density_9;
+    let _e37 = density_9;
     return vec2<f32>((_e28 - _e31), ((0.3989423f * scale) * (_e35.x - _e37.y)));
 }
 
@@ -141,7 +141,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var lines: f32;
     var rest: f32;
     var local_85: vec2<f32>;
-    var at_14: vec2<f32>;
+    var at_18: vec2<f32>;
     var line_6: vec2<f32>;
     var local_86: vec2<f32>;
     var cell_5: vec2<f32>;
@@ -208,12 +208,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
         }
     }
     let _e76 = size_5;
-    at_14 = (p / _e76);
-    let _e79 = at_14;
+    at_18 = (p / _e76);
+    let _e79 = at_18;
     let _e81 = count_14;
     let _e82 = gabor_impl_board_index(floor(_e79), _e81);
     line_6 = _e82;
-    let _e84 = at_14;
+    let _e84 = at_18;
     let _e85 = rows_5;
     if _e85 {
         let _e86 = shift;
@@ -225,14 +225,14 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
         local_86 = vec2<f32>(0f, fract((_e94 * _e95.x)));
     }
     let _e101 = local_86;
-    at_14 = (_e84 + _e101);
-    let _e103 = at_14;
+    at_18 = (_e84 + _e101);
+    let _e103 = at_18;
     cell_5 = floor(_e103);
     let _e106 = cell_5;
     let _e107 = count_14;
     let _e108 = gabor_impl_board_index(_e106, _e107);
     index_15 = _e108;
-    let _e110 = at_14;
+    let _e110 = at_18;
     let _e111 = cell_5;
     let _e116 = size_5;
     local_87 = (((_e110 - _e111) - vec2(0.5f)) * _e116);

@@ -447,11 +447,16 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
+float4 gabor_impl_radii(GaborPixel at, float2 density) {
+    return float4(density * at.dx, density * at.dy);
+}
+
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
 // slopes of a filtered height leave out how the steps change.
 GaborPixel gabor_impl_warp(GaborPixel at, float2 density, float2 amplitude, uint seed, int index) {
-    float4 steps = float4(density * at.dx, density * at.dy);
+    float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
@@ -792,7 +797,8 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uin
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
 GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
-    float3 a = 6.5797363 * gabor_impl_footprint(layer.density * layer.at.dx, layer.density * layer.at.dy).covariance;
+    float4 steps = gabor_impl_radii(layer.at, layer.density);
+    float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
     float3 inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     float3 whole = float3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
@@ -802,14 +808,14 @@ GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
 
 GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, layer.density * layer.at.dx,
-                                                                layer.density * layer.at.dy, layer.wave, layer.seed));
+    float4 steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
 }
 
 GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, layer.density * layer.at.dx,
-                                                                     layer.density * layer.at.dy, layer.seed));
+    float4 steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
 }
 
 void gabor_impl_add_filtered_spots(inout GaborPairs sum, GaborLayer layer) {
@@ -985,11 +991,10 @@ int gabor_impl_samples(float spread) {
     return spread > 0.001 ? 16 : 1;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
-float2 gabor_impl_sample(float2 dx, float2 dy, int i, int count) {
+// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+float2 gabor_impl_sample(int i, int count) {
     float2 at = 0.125 * float2(float(i), float((7 * i + 10) % 16)) - 0.9375;
-    at *= 0.5566 + 0.507 * at * at;
-    return count > 1 ? at.x * dx + at.y * dy : (float2)(0.0);
+    return count > 1 ? at * (0.5566 + 0.507 * at * at) : (float2)(0.0);
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -1050,7 +1055,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabric fabr
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(dx, dy, i, samples);
+        float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
         float2 thread_ = floor(float2(x.x, y.x));
         x.x -= thread_.x + 0.5;
@@ -1121,7 +1126,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, float2 count, GaborCarbo
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(dx, dy, i, samples);
+        float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
         float turn = 4.0 * frac(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
         x.x -= floor(x.x);
@@ -1202,8 +1207,8 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather
     float3 height = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        float2 offset = gabor_impl_sample(dx, dy, i, samples);
-        float2 further = bend * gabor_impl_sample(pixel.dx, pixel.dy, i, samples);
+        float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
+        float2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
         float3 a, b, sine_a, sine_b;
         gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
         gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);

@@ -286,11 +286,16 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
     return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
+GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborPixel at, gabor_vec2 density) {
+    return gabor_vec4(density * at.dx, density * at.dy);
+}
+
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
 // slopes of a filtered height leave out how the steps change.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
-    gabor_vec4 steps = gabor_vec4(density * at.dx, density * at.dy);
+    gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
     amplitude /= 1.0f + 0.82246703f * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
@@ -570,7 +575,8 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
 GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
-    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(layer.density * layer.at.dx, layer.density * layer.at.dy).covariance;
+    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
+    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
     gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave);
@@ -580,14 +586,14 @@ GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField fie
 
 GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, layer.density * layer.at.dx,
-                                                                layer.density * layer.at.dy, layer.wave, layer.seed));
+    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy(), steps.zw(), layer.wave, layer.seed));
 }
 
 GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, layer.density * layer.at.dx,
-                                                                     layer.density * layer.at.dy, layer.seed));
+    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy(), steps.zw(), layer.seed));
 }
 
 GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& sum, GaborLayer layer) {
@@ -763,11 +769,10 @@ GABOR_INLINE int gabor_impl_samples(float spread) {
     return spread > 0.001f ? 16 : 1;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
-GABOR_INLINE gabor_vec2 gabor_impl_sample(gabor_vec2 dx, gabor_vec2 dy, int i, int count) {
+// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+GABOR_INLINE gabor_vec2 gabor_impl_sample(int i, int count) {
     gabor_vec2 at = 0.125f * gabor_vec2(float(i), float((7 * i + 10) % 16)) - 0.9375f;
-    at *= 0.5566f + 0.507f * at * at;
-    return count > 1 ? at.x * dx + at.y * dy : gabor_vec2(0.0f);
+    return count > 1 ? at * (0.5566f + 0.507f * at * at) : gabor_vec2(0.0f);
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -828,7 +833,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count,
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
+        gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
         gabor_vec2 thread_ = gabor_cpp_floor(gabor_vec2(x.x, y.x));
         x.x -= thread_.x + 0.5f;
@@ -899,7 +904,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, gabor_vec2 
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
+        gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
         float turn = 4.0f * gabor_cpp_fract(0.25f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x)) + 0.125f) - 0.5f; // 0 to 3
         x.x -= gabor_cpp_floor(x.x);
@@ -980,8 +985,8 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
     gabor_vec3 height = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
-        gabor_vec2 offset = gabor_impl_sample(dx, dy, i, samples);
-        gabor_vec2 further = bend * gabor_impl_sample(pixel.dx, pixel.dy, i, samples);
+        gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
+        gabor_vec2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
         gabor_vec3 a, b, sine_a, sine_b;
         gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
         gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 16cd8dc2a5b18e0e.
+// naga 30.0.1 made it from GLSL with the digest d47f3b8a24ec1535.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -387,6 +387,13 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
 }
 
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
+fn gabor_impl_radii(at: GaborPixel, density: vec2<f32>) -> vec4<f32> {
+    let _e3 = (density * at.dx);
+    let _e5 = (density * at.dy);
+    return vec4<f32>(_e3.x, _e3.y, _e5.x, _e5.y);
+}
+
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
 // slopes of a filtered height leave out how the steps change.
@@ -399,43 +406,42 @@ fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, see
     var along_x_3: vec2<f32>;
     var along_y_3: vec2<f32>;
     amplitude_5 = amplitude;
-    let _e7 = (density * at.dx);
-    let _e9 = (density * at.dy);
-    steps = vec4<f32>(_e7.x, _e7.y, _e9.x, _e9.y);
-    let _e16 = steps;
-    let _e17 = steps;
-    size = min(dot(_e16, _e17), 1000000f);
+    let _e6 = gabor_impl_radii(at, density);
+    steps = _e6;
+    let _e8 = steps;
+    let _e9 = steps;
+    size = min(dot(_e8, _e9), 1000000f);
+    let _e17 = size;
+    bend = (1f / (1f + (64f * _e17)));
+    let _e22 = amplitude_5;
     let _e25 = size;
-    bend = (1f / (1f + (64f * _e25)));
-    let _e30 = amplitude_5;
-    let _e33 = size;
-    amplitude_5 = (_e30 / vec2((1f + (0.822467f * _e33))));
-    let _e38 = gabor_impl_place(at, density);
-    let _e39 = gabor_lobe_seed(seed, index);
-    let _e40 = gabor_impl_spots(_e38, _e39);
-    field_10 = _e40;
-    let _e42 = amplitude_5;
-    let _e45 = field_10;
-    let _e48 = field_10;
-    along_x_3 = ((_e42 * density.x) * vec2<f32>(_e45.quadrature_gradient.x, _e48.gradient.x));
-    let _e54 = amplitude_5;
-    let _e57 = field_10;
+    amplitude_5 = (_e22 / vec2((1f + (0.822467f * _e25))));
+    let _e30 = gabor_impl_place(at, density);
+    let _e31 = gabor_lobe_seed(seed, index);
+    let _e32 = gabor_impl_spots(_e30, _e31);
+    field_10 = _e32;
+    let _e34 = amplitude_5;
+    let _e37 = field_10;
+    let _e40 = field_10;
+    along_x_3 = ((_e34 * density.x) * vec2<f32>(_e37.quadrature_gradient.x, _e40.gradient.x));
+    let _e46 = amplitude_5;
+    let _e49 = field_10;
+    let _e52 = field_10;
+    along_y_3 = ((_e46 * density.y) * vec2<f32>(_e49.quadrature_gradient.y, _e52.gradient.y));
+    let _e59 = amplitude_5;
     let _e60 = field_10;
-    along_y_3 = ((_e54 * density.y) * vec2<f32>(_e57.quadrature_gradient.y, _e60.gradient.y));
-    let _e67 = amplitude_5;
-    let _e68 = field_10;
-    let _e70 = field_10;
-    let _e78 = along_x_3;
-    let _e83 = along_y_3;
-    let _e89 = along_x_3;
-    let _e94 = along_y_3;
-    let _e98 = bend;
-    let _e101 = along_x_3;
-    let _e105 = along_y_3;
-    let _e111 = bend;
-    let _e114 = along_x_3;
-    let _e118 = along_y_3;
-    return GaborPixel((at.p + (_e67 * vec2<f32>(_e68.quadrature, _e70.noise))), ((at.x + (at.x.x * _e78)) + (at.x.y * _e83)), ((at.y + (at.y.x * _e89)) + (at.y.y * _e94)), (at.dx + (_e98 * ((at.dx.x * _e101) + (at.dx.y * _e105)))), (at.dy + (_e111 * ((at.dy.x * _e114) + (at.dy.y * _e118)))), at.period);
+    let _e62 = field_10;
+    let _e70 = along_x_3;
+    let _e75 = along_y_3;
+    let _e81 = along_x_3;
+    let _e86 = along_y_3;
+    let _e90 = bend;
+    let _e93 = along_x_3;
+    let _e97 = along_y_3;
+    let _e103 = bend;
+    let _e106 = along_x_3;
+    let _e110 = along_y_3;
+    return GaborPixel((at.p + (_e59 * vec2<f32>(_e60.quadrature, _e62.noise))), ((at.x + (at.x.x * _e70)) + (at.x.y * _e75)), ((at.y + (at.y.x * _e81)) + (at.y.y * _e86)), (at.dx + (_e90 * ((at.dx.x * _e93) + (at.dx.y * _e97)))), (at.dy + (_e103 * ((at.dy.x * _e106) + (at.dy.y * _e110)))), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -1128,11 +1134,16 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
 // lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
 fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField) -> GaborPair {
+    var steps_1: vec4<f32>;
     var a_12: vec3<f32>;
     var inverse: vec3<f32>;
     var whole_2: vec3<f32>;
     var left_1: vec3<f32>;
-    let _e11 = gabor_impl_footprint((layer.density * layer.at.dx), (layer.density * layer.at.dy));
+    let _e4 = gabor_impl_radii(layer.at, layer.density);
+    steps_1 = _e4;
+    let _e7 = steps_1;
+    let _e9 = steps_1;
+    let _e11 = gabor_impl_footprint(_e7.xy, _e9.zw);
     a_12 = (6.579736f * _e11.covariance);
     let _e16 = a_12;
     let _e20 = a_12;
@@ -1159,20 +1170,30 @@ fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField) -> GaborPair {
 
 fn gabor_impl_filtered_waves(layer: GaborLayer) -> GaborPair {
     var place_17: GaborPlace;
+    var steps_2: vec4<f32>;
     let _e3 = gabor_impl_place(layer.at, layer.density);
     place_17 = _e3;
-    let _e5 = place_17;
-    let _e16 = gabor_field_filtered(_e5, (layer.density * layer.at.dx), (layer.density * layer.at.dy), layer.wave, layer.seed);
+    let _e7 = gabor_impl_radii(layer.at, layer.density);
+    steps_2 = _e7;
+    let _e9 = place_17;
+    let _e10 = steps_2;
+    let _e12 = steps_2;
+    let _e16 = gabor_field_filtered(_e9, _e10.xy, _e12.zw, layer.wave, layer.seed);
     let _e17 = gabor_impl_filtered_pair(layer, _e16);
     return _e17;
 }
 
 fn gabor_impl_filtered_spots(layer: GaborLayer) -> GaborPair {
     var place_18: GaborPlace;
+    var steps_3: vec4<f32>;
     let _e3 = gabor_impl_place(layer.at, layer.density);
     place_18 = _e3;
-    let _e5 = place_18;
-    let _e15 = gabor_impl_spots_filtered(_e5, (layer.density * layer.at.dx), (layer.density * layer.at.dy), layer.seed);
+    let _e7 = gabor_impl_radii(layer.at, layer.density);
+    steps_3 = _e7;
+    let _e9 = place_18;
+    let _e10 = steps_3;
+    let _e12 = steps_3;
+    let _e15 = gabor_impl_spots_filtered(_e9, _e10.xy, _e12.zw, layer.seed);
     let _e16 = gabor_impl_filtered_pair(layer, _e15);
     return _e16;
 }
@@ -1685,24 +1706,21 @@ fn gabor_impl_samples(spread: f32) -> i32 {
     return _e6;
 }
 
-// Sample i of 16, relative to the middle of the pixel. Along dx and dy they are quantiles of a normal distribution.
-fn gabor_impl_sample(dx: vec2<f32>, dy: vec2<f32>, i: i32, count: i32) -> vec2<f32> {
-    var at_9: vec2<f32>;
+// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+fn gabor_impl_sample(i: i32, count: i32) -> vec2<f32> {
+    var at_10: vec2<f32>;
     var local_38: vec2<f32>;
-    at_9 = ((0.125f * vec2<f32>(f32(i), f32((((7i * i) + 10i) % 16i)))) - vec2(0.9375f));
-    let _e19 = at_9;
-    let _e22 = at_9;
-    let _e24 = at_9;
-    at_9 = (_e19 * (vec2(0.5566f) + ((0.507f * _e22) * _e24)));
+    at_10 = ((0.125f * vec2<f32>(f32(i), f32((((7i * i) + 10i) % 16i)))) - vec2(0.9375f));
     if (count > 1i) {
-        let _e31 = at_9;
-        let _e34 = at_9;
-        local_38 = ((_e31.x * dx) + (_e34.y * dy));
+        let _e19 = at_10;
+        let _e22 = at_10;
+        let _e24 = at_10;
+        local_38 = (_e19 * (vec2(0.5566f) + ((0.507f * _e22) * _e24)));
     } else {
         local_38 = vec2(0f);
     }
-    let _e41 = local_38;
-    return _e41;
+    let _e32 = local_38;
+    return _e32;
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
@@ -1736,7 +1754,7 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u3
     var local_40: vec2<f32>;
     var local_41: vec2<f32>;
     var local_42: vec2<f32>;
-    var density_5: vec2<f32>;
+    var density_6: vec2<f32>;
     if (i == 0i) {
         local_42 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
@@ -1755,8 +1773,8 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u3
         local_42 = _e31;
     }
     let _e33 = local_42;
-    density_5 = _e33;
-    let _e35 = density_5;
+    density_6 = _e33;
+    let _e35 = density_6;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
     return _e38;
 }
@@ -1861,8 +1879,8 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     var unit_5: f32;
     var at_x: vec3<f32>;
     var at_y: vec3<f32>;
-    var dx_10: vec2<f32>;
-    var dy_10: vec2<f32>;
+    var dx_9: vec2<f32>;
+    var dy_9: vec2<f32>;
     var spread_2: f32;
     var kept_4: f32;
     var warp_tones: vec2<f32>;
@@ -1874,6 +1892,7 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     var lost_6: vec3<f32> = vec3(0f);
     var samples: i32;
     var i_13: i32 = 0i;
+    var at_11: vec2<f32>;
     var offset_2: vec2<f32>;
     var x_27: vec3<f32>;
     var y_19: vec3<f32>;
@@ -1892,7 +1911,7 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     var local_54: vec3<f32>;
     var mean_8: vec3<f32>;
     var cords: f32;
-    var at_10: vec3<f32>;
+    var at_12: vec3<f32>;
     var damped_2: f32;
     var half_cord: f32;
     var second_3: f32;
@@ -1906,10 +1925,10 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     at_x = (count.x * _e11);
     let _e15 = gabor_impl_along_y(cloth);
     at_y = (count.y * _e15);
-    dx_10 = (count * cloth.dx);
-    dy_10 = (count * cloth.dy);
-    let _e24 = dx_10;
-    let _e25 = dy_10;
+    dx_9 = (count * cloth.dx);
+    dy_9 = (count * cloth.dy);
+    let _e24 = dx_9;
+    let _e25 = dy_9;
     let _e26 = gabor_impl_sample_spread(_e24, _e25);
     spread_2 = _e26;
     let _e31 = spread_2;
@@ -1944,209 +1963,212 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
             break;
         }
         {
-            let _e116 = dx_10;
-            let _e117 = dy_10;
-            let _e118 = i_13;
-            let _e119 = samples;
-            let _e120 = gabor_impl_sample(_e116, _e117, _e118, _e119);
-            offset_2 = _e120;
-            let _e122 = at_x;
-            let _e123 = offset_2;
-            x_27 = (_e122 + vec3<f32>(_e123.x, 0f, 0f));
-            let _e130 = at_y;
+            let _e116 = i_13;
+            let _e117 = samples;
+            let _e118 = gabor_impl_sample(_e116, _e117);
+            at_11 = _e118;
+            let _e120 = at_11;
+            let _e122 = dx_9;
+            let _e124 = at_11;
+            let _e126 = dy_9;
+            offset_2 = ((_e120.x * _e122) + (_e124.y * _e126));
+            let _e130 = at_x;
             let _e131 = offset_2;
-            y_19 = (_e130 + vec3<f32>(_e131.y, 0f, 0f));
-            let _e138 = x_27;
-            let _e140 = y_19;
-            thread = floor(vec2<f32>(_e138.x, _e140.x));
+            x_27 = (_e130 + vec3<f32>(_e131.x, 0f, 0f));
+            let _e138 = at_y;
+            let _e139 = offset_2;
+            y_19 = (_e138 + vec3<f32>(_e139.y, 0f, 0f));
             let _e146 = x_27;
-            let _e148 = thread;
-            x_27.x = (_e146.x - (_e148.x + 0.5f));
-            let _e154 = y_19;
+            let _e148 = y_19;
+            thread = floor(vec2<f32>(_e146.x, _e148.x));
+            let _e154 = x_27;
             let _e156 = thread;
-            y_19.x = (_e154.x - (_e156.y + 0.5f));
-            let _e161 = thread;
-            let _e163 = thread;
-            let _e166 = gabor_impl_over(_e161.x, _e163.y, fabric.weave);
-            over = _e166;
-            let _e168 = over;
+            x_27.x = (_e154.x - (_e156.x + 0.5f));
+            let _e162 = y_19;
+            let _e164 = thread;
+            y_19.x = (_e162.x - (_e164.y + 0.5f));
             let _e169 = thread;
             let _e171 = thread;
-            let _e173 = y_19;
-            if (_e173.x < 0f) {
+            let _e174 = gabor_impl_over(_e169.x, _e171.y, fabric.weave);
+            over = _e174;
+            let _e176 = over;
+            let _e177 = thread;
+            let _e179 = thread;
+            let _e181 = y_19;
+            if (_e181.x < 0f) {
                 local_50 = -1f;
             } else {
                 local_50 = 1f;
             }
-            let _e181 = local_50;
-            let _e184 = gabor_impl_over(_e169.x, (_e171.y + _e181), fabric.weave);
-            level_y = (_e168 == _e184);
-            let _e187 = over;
-            let _e188 = thread;
-            let _e190 = x_27;
-            if (_e190.x < 0f) {
+            let _e189 = local_50;
+            let _e192 = gabor_impl_over(_e177.x, (_e179.y + _e189), fabric.weave);
+            level_y = (_e176 == _e192);
+            let _e195 = over;
+            let _e196 = thread;
+            let _e198 = x_27;
+            if (_e198.x < 0f) {
                 local_51 = -1f;
             } else {
                 local_51 = 1f;
             }
-            let _e198 = local_51;
-            let _e200 = thread;
-            let _e203 = gabor_impl_over((_e188.x + _e198), _e200.y, fabric.weave);
-            level_x = (_e187 == _e203);
-            let _e206 = x_27;
-            let _e212 = uneven;
-            let _e218 = y_19;
-            let _e219 = over;
-            let _e220 = level_y;
-            let _e221 = gabor_impl_thread(_e206, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e212) * of_.a.second)), _e218, _e219, _e220);
-            along_y_6 = _e221;
-            let _e223 = y_19;
-            let _e229 = uneven;
-            let _e235 = x_27;
-            let _e236 = over;
-            let _e238 = level_x;
-            let _e239 = gabor_impl_thread(_e223, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e229) * of_.b.second)), _e235, -(_e236), _e238);
-            along_x_4 = _e239;
-            let _e241 = along_y_6;
-            let _e243 = along_x_4;
-            first_3 = (_e241.x > _e243.x);
-            let _e247 = first_3;
-            if _e247 {
-                let _e248 = along_y_6;
-                local_52 = _e248;
+            let _e206 = local_51;
+            let _e208 = thread;
+            let _e211 = gabor_impl_over((_e196.x + _e206), _e208.y, fabric.weave);
+            level_x = (_e195 == _e211);
+            let _e214 = x_27;
+            let _e220 = uneven;
+            let _e226 = y_19;
+            let _e227 = over;
+            let _e228 = level_y;
+            let _e229 = gabor_impl_thread(_e214, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e220) * of_.a.second)), _e226, _e227, _e228);
+            along_y_6 = _e229;
+            let _e231 = y_19;
+            let _e237 = uneven;
+            let _e243 = x_27;
+            let _e244 = over;
+            let _e246 = level_x;
+            let _e247 = gabor_impl_thread(_e231, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e237) * of_.b.second)), _e243, -(_e244), _e246);
+            along_x_4 = _e247;
+            let _e249 = along_y_6;
+            let _e251 = along_x_4;
+            first_3 = (_e249.x > _e251.x);
+            let _e255 = first_3;
+            if _e255 {
+                let _e256 = along_y_6;
+                local_52 = _e256;
             } else {
-                let _e249 = along_x_4;
-                local_52 = _e249;
+                let _e257 = along_x_4;
+                local_52 = _e257;
             }
-            let _e251 = local_52;
-            top = _e251;
-            let _e253 = top;
-            if (_e253.x < -1.3f) {
+            let _e259 = local_52;
+            top = _e259;
+            let _e261 = top;
+            if (_e261.x < -1.3f) {
                 top = vec3<f32>(-1.3f, 0f, 0f);
             }
-            let _e263 = colour_3;
-            let _e269 = top;
-            let _e273 = first_3;
-            if _e273 {
-                let _e274 = warp;
-                local_53 = _e274;
+            let _e271 = colour_3;
+            let _e277 = top;
+            let _e281 = first_3;
+            if _e281 {
+                let _e282 = warp;
+                local_53 = _e282;
             } else {
-                let _e275 = weft;
-                local_53 = _e275;
+                let _e283 = weft;
+                local_53 = _e283;
             }
-            let _e277 = local_53;
-            colour_3 = (_e263 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e269.x)) * _e277));
-            let _e281 = top;
-            let _e284 = first_3;
-            if _e284 {
+            let _e285 = local_53;
+            colour_3 = (_e271 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e277.x)) * _e285));
+            let _e289 = top;
+            let _e292 = first_3;
+            if _e292 {
                 local_54 = of_.c.second;
             } else {
                 local_54 = of_.d.second;
             }
-            let _e290 = local_54;
-            top = ((0.3f * _e281) + (0.035f * _e290));
-            let _e293 = height_3;
-            let _e294 = top;
-            height_3 = (_e293 + _e294);
-            let _e296 = lost_6;
-            let _e297 = top;
-            let _e299 = gabor_impl_square(_e297.yz);
-            lost_6 = (_e296 + _e299);
+            let _e298 = local_54;
+            top = ((0.3f * _e289) + (0.035f * _e298));
+            let _e301 = height_3;
+            let _e302 = top;
+            height_3 = (_e301 + _e302);
+            let _e304 = lost_6;
+            let _e305 = top;
+            let _e307 = gabor_impl_square(_e305.yz);
+            lost_6 = (_e304 + _e307);
         }
         continuing {
             let _e113 = i_13;
             i_13 = (_e113 + 1i);
         }
     }
-    let _e303 = uneven;
-    let _e305 = uneven;
-    let _e310 = uneven;
-    let _e312 = uneven;
-    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e303) * _e305)), (0.0406f + ((0.0025f * _e310) * _e312)), 0.29f);
+    let _e311 = uneven;
+    let _e313 = uneven;
+    let _e318 = uneven;
+    let _e320 = uneven;
+    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e311) * _e313)), (0.0406f + ((0.0025f * _e318) * _e320)), 0.29f);
     if (fabric.weave >= 0.5f) {
-        let _e322 = uneven;
-        let _e325 = uneven;
-        mean_8 = vec3<f32>((0.91f - (_e322 * (0.0105f + (0.0045f * _e325)))), 0.0655f, 0.37f);
+        let _e330 = uneven;
+        let _e333 = uneven;
+        mean_8 = vec3<f32>((0.91f - (_e330 * (0.0105f + (0.0045f * _e333)))), 0.0655f, 0.37f);
     }
-    let _e335 = samples;
-    let _e336 = kept_4;
-    let _e337 = mean_8;
-    let _e339 = mean_8;
-    let _e342 = ((_e339.z * count) * count);
-    gabor_impl_average((&height_3), (&lost_6), _e335, _e336, _e337.y, vec3<f32>(_e342.x, _e342.y, 0f));
-    let _e350 = mean_8;
-    let _e353 = warp;
-    let _e354 = weft;
-    let _e357 = colour_3;
-    let _e358 = samples;
-    let _e362 = kept_4;
-    colour_3 = mix(((0.5f * _e350.x) * (_e353 + _e354)), (_e357 / vec3(f32(_e358))), vec3(_e362));
-    let _e365 = height_3;
-    let _e366 = unit_5;
-    height_3 = (_e365 * _e366);
-    let _e368 = unit_5;
-    let _e369 = unit_5;
-    let _e371 = lost_6;
-    lost_6 = ((_e368 * _e369) * (_e371 + (0.0006125f * (of_.c.lost + of_.d.lost))));
+    let _e343 = samples;
+    let _e344 = kept_4;
+    let _e345 = mean_8;
+    let _e347 = mean_8;
+    let _e350 = ((_e347.z * count) * count);
+    gabor_impl_average((&height_3), (&lost_6), _e343, _e344, _e345.y, vec3<f32>(_e350.x, _e350.y, 0f));
+    let _e358 = mean_8;
+    let _e361 = warp;
+    let _e362 = weft;
+    let _e365 = colour_3;
+    let _e366 = samples;
+    let _e370 = kept_4;
+    colour_3 = mix(((0.5f * _e358.x) * (_e361 + _e362)), (_e365 / vec3(f32(_e366))), vec3(_e370));
+    let _e373 = height_3;
+    let _e374 = unit_5;
+    height_3 = (_e373 * _e374);
+    let _e376 = unit_5;
+    let _e377 = unit_5;
+    let _e379 = lost_6;
+    lost_6 = ((_e376 * _e377) * (_e379 + (0.0006125f * (of_.c.lost + of_.d.lost))));
     if (fabric.cords > 0f) {
         {
-            let _e386 = gabor_impl_repeated(cloth, fabric.cords, 1f);
-            cords = _e386.x;
-            let _e389 = cords;
-            let _e390 = gabor_impl_along_x(cloth);
-            at_10 = (_e389 * _e390);
-            let _e393 = cords;
-            let _e394 = gabor_impl_sine_kept(cloth, _e393);
-            damped_2 = _e394;
-            let _e397 = damped_2;
-            half_cord = (0.5f * _e397);
-            let _e401 = damped_2;
-            let _e403 = damped_2;
+            let _e394 = gabor_impl_repeated(cloth, fabric.cords, 1f);
+            cords = _e394.x;
+            let _e397 = cords;
+            let _e398 = gabor_impl_along_x(cloth);
+            at_12 = (_e397 * _e398);
+            let _e401 = cords;
+            let _e402 = gabor_impl_sine_kept(cloth, _e401);
+            damped_2 = _e402;
             let _e405 = damped_2;
-            let _e407 = damped_2;
-            second_3 = ((((0.125f * _e401) * _e403) * _e405) * _e407);
-            let _e411 = at_10;
-            turn_13 = (6.2831855f * fract(_e411.x));
-            let _e417 = half_cord;
-            let _e418 = turn_13;
-            let _e422 = second_3;
-            let _e424 = turn_13;
-            cord = ((0.625f - (_e417 * cos(_e418))) - (_e422 * cos((2f * _e424))));
-            let _e433 = cords;
-            depth_1 = ((0.3f * fabric.relief) / _e433);
-            let _e436 = depth_1;
-            swing = (_e436 * 6.2831855f);
-            let _e440 = colour_3;
-            let _e443 = cord;
-            colour_3 = (_e440 * mix(0.3f, 1f, _e443));
-            let _e446 = height_3;
-            let _e447 = depth_1;
-            let _e448 = cord;
-            let _e450 = swing;
-            let _e451 = half_cord;
-            let _e452 = turn_13;
-            let _e456 = second_3;
-            let _e459 = turn_13;
-            let _e465 = at_10;
-            let _e467 = ((_e450 * ((_e451 * sin(_e452)) + ((2f * _e456) * sin((2f * _e459))))) * _e465.yz);
-            height_3 = (_e446 + vec3<f32>((_e447 * _e448), _e467.x, _e467.y));
-            let _e472 = lost_6;
-            let _e473 = swing;
-            let _e474 = swing;
-            let _e478 = half_cord;
-            let _e480 = half_cord;
-            let _e484 = second_3;
-            let _e486 = second_3;
-            let _e490 = at_10;
-            let _e492 = gabor_impl_square(_e490.yz);
-            lost_6 = (_e472 + (((_e473 * _e474) * ((0.15625f - ((0.5f * _e478) * _e480)) - ((2f * _e484) * _e486))) * _e492));
+            half_cord = (0.5f * _e405);
+            let _e409 = damped_2;
+            let _e411 = damped_2;
+            let _e413 = damped_2;
+            let _e415 = damped_2;
+            second_3 = ((((0.125f * _e409) * _e411) * _e413) * _e415);
+            let _e419 = at_12;
+            turn_13 = (6.2831855f * fract(_e419.x));
+            let _e425 = half_cord;
+            let _e426 = turn_13;
+            let _e430 = second_3;
+            let _e432 = turn_13;
+            cord = ((0.625f - (_e425 * cos(_e426))) - (_e430 * cos((2f * _e432))));
+            let _e441 = cords;
+            depth_1 = ((0.3f * fabric.relief) / _e441);
+            let _e444 = depth_1;
+            swing = (_e444 * 6.2831855f);
+            let _e448 = colour_3;
+            let _e451 = cord;
+            colour_3 = (_e448 * mix(0.3f, 1f, _e451));
+            let _e454 = height_3;
+            let _e455 = depth_1;
+            let _e456 = cord;
+            let _e458 = swing;
+            let _e459 = half_cord;
+            let _e460 = turn_13;
+            let _e464 = second_3;
+            let _e467 = turn_13;
+            let _e473 = at_12;
+            let _e475 = ((_e458 * ((_e459 * sin(_e460)) + ((2f * _e464) * sin((2f * _e467))))) * _e473.yz);
+            height_3 = (_e454 + vec3<f32>((_e455 * _e456), _e475.x, _e475.y));
+            let _e480 = lost_6;
+            let _e481 = swing;
+            let _e482 = swing;
+            let _e486 = half_cord;
+            let _e488 = half_cord;
+            let _e492 = second_3;
+            let _e494 = second_3;
+            let _e498 = at_12;
+            let _e500 = gabor_impl_square(_e498.yz);
+            lost_6 = (_e480 + (((_e481 * _e482) * ((0.15625f - ((0.5f * _e486) * _e488)) - ((2f * _e492) * _e494))) * _e500));
         }
     }
-    let _e495 = colour_3;
-    let _e496 = height_3;
-    let _e497 = lost_6;
-    let _e500 = gabor_impl_material(_e495, _e496, _e497, fabric.roughness, 0f);
-    return _e500;
+    let _e503 = colour_3;
+    let _e504 = height_3;
+    let _e505 = lost_6;
+    let _e508 = gabor_impl_material(_e503, _e504, _e505, fabric.roughness, 0f);
+    return _e508;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
@@ -2213,8 +2235,8 @@ fn gabor_impl_tow_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) 
 fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
     var at_x_1: vec3<f32>;
     var at_y_1: vec3<f32>;
-    var dx_11: vec2<f32>;
-    var dy_11: vec2<f32>;
+    var dx_10: vec2<f32>;
+    var dy_10: vec2<f32>;
     var spread_3: f32;
     var kept_5: f32;
     var unit_6: f32;
@@ -2225,6 +2247,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
     var lost_7: vec3<f32> = vec3(0f);
     var samples_1: i32;
     var i_15: i32 = 0i;
+    var at_13: vec2<f32>;
     var offset_3: vec2<f32>;
     var x_28: vec3<f32>;
     var y_20: vec3<f32>;
@@ -2246,10 +2269,10 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
     at_x_1 = (count.x * _e5);
     let _e9 = gabor_impl_along_y(cloth);
     at_y_1 = (count.y * _e9);
-    dx_11 = (count * cloth.dx);
-    dy_11 = (count * cloth.dy);
-    let _e18 = dx_11;
-    let _e19 = dy_11;
+    dx_10 = (count * cloth.dx);
+    dy_10 = (count * cloth.dy);
+    let _e18 = dx_10;
+    let _e19 = dy_10;
     let _e20 = gabor_impl_sample_spread(_e18, _e19);
     spread_3 = _e20;
     let _e25 = spread_3;
@@ -2271,138 +2294,141 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
             break;
         }
         {
-            let _e74 = dx_11;
-            let _e75 = dy_11;
-            let _e76 = i_15;
-            let _e77 = samples_1;
-            let _e78 = gabor_impl_sample(_e74, _e75, _e76, _e77);
-            offset_3 = _e78;
-            let _e80 = at_x_1;
-            let _e81 = offset_3;
-            x_28 = (_e80 + vec3<f32>(_e81.x, 0f, 0f));
-            let _e88 = at_y_1;
+            let _e74 = i_15;
+            let _e75 = samples_1;
+            let _e76 = gabor_impl_sample(_e74, _e75);
+            at_13 = _e76;
+            let _e78 = at_13;
+            let _e80 = dx_10;
+            let _e82 = at_13;
+            let _e84 = dy_10;
+            offset_3 = ((_e78.x * _e80) + (_e82.y * _e84));
+            let _e88 = at_x_1;
             let _e89 = offset_3;
-            y_20 = (_e88 + vec3<f32>(_e89.y, 0f, 0f));
-            let _e98 = x_28;
-            let _e101 = y_20;
-            turn_14 = ((4f * fract(((0.25f * (floor(_e98.x) + floor(_e101.x))) + 0.125f))) - 0.5f);
-            let _e114 = x_28;
-            let _e116 = x_28;
-            x_28.x = (_e114.x - floor(_e116.x));
-            let _e121 = y_20;
-            let _e123 = y_20;
-            y_20.x = (_e121.x - floor(_e123.x));
-            let _e127 = turn_14;
-            first_4 = (_e127 < 1.5f);
-            let _e132 = first_4;
-            if _e132 {
-                let _e133 = y_20;
-                local_56 = _e133;
-            } else {
-                let _e134 = x_28;
-                local_56 = _e134;
-            }
-            let _e136 = local_56;
-            along_3 = (0.5f * _e136);
+            x_28 = (_e88 + vec3<f32>(_e89.x, 0f, 0f));
+            let _e96 = at_y_1;
+            let _e97 = offset_3;
+            y_20 = (_e96 + vec3<f32>(_e97.y, 0f, 0f));
+            let _e106 = x_28;
+            let _e109 = y_20;
+            turn_14 = ((4f * fract(((0.25f * (floor(_e106.x) + floor(_e109.x))) + 0.125f))) - 0.5f);
+            let _e122 = x_28;
+            let _e124 = x_28;
+            x_28.x = (_e122.x - floor(_e124.x));
+            let _e129 = y_20;
+            let _e131 = y_20;
+            y_20.x = (_e129.x - floor(_e131.x));
+            let _e135 = turn_14;
+            first_4 = (_e135 < 1.5f);
             let _e140 = first_4;
             if _e140 {
-                let _e141 = x_28;
-                local_57 = _e141;
+                let _e141 = y_20;
+                local_56 = _e141;
             } else {
-                let _e142 = y_20;
-                local_57 = _e142;
+                let _e142 = x_28;
+                local_56 = _e142;
             }
-            let _e144 = local_57;
-            across_3 = (2f * _e144);
-            let _e148 = along_3;
-            let _e151 = turn_14;
-            if (fract(((0.5f * _e151) + 0.25f)) < 0.5f) {
+            let _e144 = local_56;
+            along_3 = (0.5f * _e144);
+            let _e148 = first_4;
+            if _e148 {
+                let _e149 = x_28;
+                local_57 = _e149;
+            } else {
+                let _e150 = y_20;
+                local_57 = _e150;
+            }
+            let _e152 = local_57;
+            across_3 = (2f * _e152);
+            let _e156 = along_3;
+            let _e159 = turn_14;
+            if (fract(((0.5f * _e159) + 0.25f)) < 0.5f) {
                 local_58 = 0f;
             } else {
                 local_58 = 0.5f;
             }
-            let _e161 = local_58;
-            along_3.x = (_e148.x + _e161);
-            let _e164 = across_3;
-            across_3.x = (_e164.x - 1f);
-            let _e168 = across_3;
-            let _e170 = across_3;
-            let _e173 = across_3;
-            cube = ((_e168.x * _e170.x) * _e173.x);
-            let _e178 = cube;
-            let _e179 = across_3;
-            low_1 = (1f - (_e178 * _e179.x));
-            let _e184 = low_1;
-            let _e185 = low_1;
-            arch = (_e184 * _e185);
-            let _e189 = along_3;
-            let _e194 = along_3;
-            wave_17 = vec2<f32>(cos((3.1415927f * _e189.x)), sin((3.1415927f * _e194.x)));
-            let _e200 = wave_17;
-            let _e202 = arch;
-            let _e205 = arch;
-            let _e207 = wave_17;
-            let _e210 = along_3;
-            let _e214 = cube;
-            let _e216 = low_1;
-            let _e218 = wave_17;
-            let _e221 = across_3;
-            let _e224 = ((((3.1415927f * _e205) * _e207.x) * _e210.yz) - ((((8f * _e214) * _e216) * _e218.y) * _e221.yz));
-            bulge = vec3<f32>((_e200.y * _e202), _e224.x, _e224.y);
-            let _e229 = colour_4;
-            let _e232 = bulge;
-            let _e236 = first_4;
-            if _e236 {
-                let _e237 = warp_1;
-                local_59 = _e237;
+            let _e169 = local_58;
+            along_3.x = (_e156.x + _e169);
+            let _e172 = across_3;
+            across_3.x = (_e172.x - 1f);
+            let _e176 = across_3;
+            let _e178 = across_3;
+            let _e181 = across_3;
+            cube = ((_e176.x * _e178.x) * _e181.x);
+            let _e186 = cube;
+            let _e187 = across_3;
+            low_1 = (1f - (_e186 * _e187.x));
+            let _e192 = low_1;
+            let _e193 = low_1;
+            arch = (_e192 * _e193);
+            let _e197 = along_3;
+            let _e202 = along_3;
+            wave_17 = vec2<f32>(cos((3.1415927f * _e197.x)), sin((3.1415927f * _e202.x)));
+            let _e208 = wave_17;
+            let _e210 = arch;
+            let _e213 = arch;
+            let _e215 = wave_17;
+            let _e218 = along_3;
+            let _e222 = cube;
+            let _e224 = low_1;
+            let _e226 = wave_17;
+            let _e229 = across_3;
+            let _e232 = ((((3.1415927f * _e213) * _e215.x) * _e218.yz) - ((((8f * _e222) * _e224) * _e226.y) * _e229.yz));
+            bulge = vec3<f32>((_e208.y * _e210), _e232.x, _e232.y);
+            let _e237 = colour_4;
+            let _e240 = bulge;
+            let _e244 = first_4;
+            if _e244 {
+                let _e245 = warp_1;
+                local_59 = _e245;
             } else {
-                let _e238 = weft_1;
-                local_59 = _e238;
+                let _e246 = weft_1;
+                local_59 = _e246;
             }
-            let _e240 = local_59;
-            colour_4 = (_e229 + ((0.35f + (0.65f * _e232.x)) * _e240));
-            let _e244 = bulge;
-            let _e247 = first_4;
-            if _e247 {
+            let _e248 = local_59;
+            colour_4 = (_e237 + ((0.35f + (0.65f * _e240.x)) * _e248));
+            let _e252 = bulge;
+            let _e255 = first_4;
+            if _e255 {
                 local_60 = of_.a.first;
             } else {
                 local_60 = of_.b.first;
             }
-            let _e253 = local_60;
-            bulge = ((0.16f * _e244) + (0.006f * _e253));
-            let _e256 = height_4;
-            let _e257 = bulge;
-            height_4 = (_e256 + _e257);
-            let _e259 = lost_7;
-            let _e260 = bulge;
-            let _e262 = gabor_impl_square(_e260.yz);
-            lost_7 = (_e259 + _e262);
+            let _e261 = local_60;
+            bulge = ((0.16f * _e252) + (0.006f * _e261));
+            let _e264 = height_4;
+            let _e265 = bulge;
+            height_4 = (_e264 + _e265);
+            let _e267 = lost_7;
+            let _e268 = bulge;
+            let _e270 = gabor_impl_square(_e268.yz);
+            lost_7 = (_e267 + _e270);
         }
         continuing {
             let _e71 = i_15;
             i_15 = (_e71 + 1i);
         }
     }
-    let _e266 = samples_1;
-    let _e267 = kept_5;
-    let _e272 = (count * count);
-    gabor_impl_average((&height_4), (&lost_7), _e266, _e267, 0.072432f, (0.0551424f * vec3<f32>(_e272.x, _e272.y, 0f)));
-    let _e281 = warp_1;
-    let _e282 = weft_1;
-    let _e285 = colour_4;
-    let _e286 = samples_1;
-    let _e290 = kept_5;
-    colour_4 = mix((0.3221275f * (_e281 + _e282)), (_e285 / vec3(f32(_e286))), vec3(_e290));
-    let _e293 = unit_6;
-    let _e294 = unit_6;
-    let _e296 = lost_7;
-    lost_7 = ((_e293 * _e294) * (_e296 + (0.000018f * (of_.a.lost + of_.b.lost))));
-    let _e306 = colour_4;
-    let _e307 = unit_6;
-    let _e308 = height_4;
-    let _e310 = lost_7;
-    let _e313 = gabor_impl_material(_e306, (_e307 * _e308), _e310, fibres.roughness, 0f);
-    return _e313;
+    let _e274 = samples_1;
+    let _e275 = kept_5;
+    let _e280 = (count * count);
+    gabor_impl_average((&height_4), (&lost_7), _e274, _e275, 0.072432f, (0.0551424f * vec3<f32>(_e280.x, _e280.y, 0f)));
+    let _e289 = warp_1;
+    let _e290 = weft_1;
+    let _e293 = colour_4;
+    let _e294 = samples_1;
+    let _e298 = kept_5;
+    colour_4 = mix((0.3221275f * (_e289 + _e290)), (_e293 / vec3(f32(_e294))), vec3(_e298));
+    let _e301 = unit_6;
+    let _e302 = unit_6;
+    let _e304 = lost_7;
+    lost_7 = ((_e301 * _e302) * (_e304 + (0.000018f * (of_.a.lost + of_.b.lost))));
+    let _e314 = colour_4;
+    let _e315 = unit_6;
+    let _e316 = height_4;
+    let _e318 = lost_7;
+    let _e321 = gabor_impl_material(_e314, (_e315 * _e316), _e318, fibres.roughness, 0f);
+    return _e321;
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
@@ -2541,8 +2567,8 @@ fn gabor_impl_crest(waves: GaborPair, cosine: ptr<function, vec3<f32>>, sine: pt
 fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
     var wave_a: vec2<f32>;
     var wave_b: vec2<f32>;
-    var dx_12: vec2<f32>;
-    var dy_12: vec2<f32>;
+    var dx_11: vec2<f32>;
+    var dy_11: vec2<f32>;
     var spread_4: f32;
     var bend_2: f32;
     var kept_6: f32;
@@ -2552,6 +2578,7 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     var lost_8: vec3<f32> = vec3(0f);
     var samples_2: i32;
     var i_17: i32 = 0i;
+    var at_15: vec2<f32>;
     var offset_5: vec2<f32>;
     var further: vec2<f32>;
     var a_14: vec3<f32>;
@@ -2572,12 +2599,12 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     wave_b = _e10;
     let _e12 = wave_a;
     let _e15 = wave_b;
-    dx_12 = vec2<f32>(dot(_e12, skin.dx), dot(_e15, skin.dx));
+    dx_11 = vec2<f32>(dot(_e12, skin.dx), dot(_e15, skin.dx));
     let _e20 = wave_a;
     let _e23 = wave_b;
-    dy_12 = vec2<f32>(dot(_e20, skin.dy), dot(_e23, skin.dy));
-    let _e28 = dx_12;
-    let _e29 = dy_12;
+    dy_11 = vec2<f32>(dot(_e20, skin.dy), dot(_e23, skin.dy));
+    let _e28 = dx_11;
+    let _e29 = dy_11;
     let _e30 = gabor_impl_sample_spread(_e28, _e29);
     spread_4 = _e30;
     let _e34 = spread_4;
@@ -2595,64 +2622,66 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
             break;
         }
         {
-            let _e69 = dx_12;
-            let _e70 = dy_12;
-            let _e71 = i_17;
-            let _e72 = samples_2;
-            let _e73 = gabor_impl_sample(_e69, _e70, _e71, _e72);
-            offset_5 = _e73;
-            let _e75 = bend_2;
-            let _e78 = i_17;
-            let _e79 = samples_2;
-            let _e80 = gabor_impl_sample(pixel.dx, pixel.dy, _e78, _e79);
-            further = (_e75 * _e80);
-            let _e88 = wave_a;
-            let _e89 = further;
-            let _e90 = offset_5;
-            let _e92 = gabor_impl_moved_waves(of_.c, skin, _e88, _e89, _e90.x);
-            gabor_impl_crest(_e92, (&a_14), (&sine_a));
-            let _e98 = wave_b;
-            let _e99 = further;
-            let _e100 = offset_5;
-            let _e102 = gabor_impl_moved_waves(of_.d, skin, _e98, _e99, _e100.y);
-            gabor_impl_crest(_e102, (&b_16), (&sine_b));
-            let _e107 = a_14;
-            let _e108 = b_16;
-            let _e110 = a_14;
-            let _e111 = b_16;
-            let _e112 = gabor_impl_times(_e110, _e111);
-            let _e114 = sine_a;
-            let _e115 = sine_b;
-            let _e116 = gabor_impl_times(_e114, _e115);
-            cells = (((_e107 + _e108) + _e112) - _e116);
-            let _e119 = cells;
-            grained = (_e119 + (0.1f * of_.a.second));
-            let _e130 = grained;
-            let _e135 = gabor_impl_step(-1.45f, -0.55f, vec3<f32>(_e130.x, 1f, 0f));
-            pebble = _e135.xy;
-            let _e138 = share;
-            let _e139 = pebble;
-            share = (_e138 + _e139.x);
-            let _e143 = pebble;
-            let _e145 = pebble;
-            let _e147 = grained;
-            let _e149 = (_e145.y * _e147.yz);
-            let _e158 = cells;
-            let _e159 = gabor_impl_step(-1f, 3f, _e158);
-            relief = (((0.016f * vec3<f32>(_e143.x, _e149.x, _e149.y)) + (0.013f * _e159)) + (0.0008f * of_.a.second));
-            let _e169 = pebble;
-            grain = ((0.0016f * _e169.y) + 0.0008f);
-            let _e175 = grains;
-            let _e176 = grain;
-            let _e177 = grain;
-            grains = (_e175 + (_e176 * _e177));
-            let _e180 = height_5;
-            let _e181 = relief;
-            height_5 = (_e180 + _e181);
-            let _e183 = lost_8;
-            let _e184 = relief;
-            let _e186 = gabor_impl_square(_e184.yz);
-            lost_8 = (_e183 + _e186);
+            let _e69 = i_17;
+            let _e70 = samples_2;
+            let _e71 = gabor_impl_sample(_e69, _e70);
+            at_15 = _e71;
+            let _e73 = at_15;
+            let _e75 = dx_11;
+            let _e77 = at_15;
+            let _e79 = dy_11;
+            offset_5 = ((_e73.x * _e75) + (_e77.y * _e79));
+            let _e83 = bend_2;
+            let _e84 = at_15;
+            let _e88 = at_15;
+            further = (_e83 * ((_e84.x * pixel.dx) + (_e88.y * pixel.dy)));
+            let _e100 = wave_a;
+            let _e101 = further;
+            let _e102 = offset_5;
+            let _e104 = gabor_impl_moved_waves(of_.c, skin, _e100, _e101, _e102.x);
+            gabor_impl_crest(_e104, (&a_14), (&sine_a));
+            let _e110 = wave_b;
+            let _e111 = further;
+            let _e112 = offset_5;
+            let _e114 = gabor_impl_moved_waves(of_.d, skin, _e110, _e111, _e112.y);
+            gabor_impl_crest(_e114, (&b_16), (&sine_b));
+            let _e119 = a_14;
+            let _e120 = b_16;
+            let _e122 = a_14;
+            let _e123 = b_16;
+            let _e124 = gabor_impl_times(_e122, _e123);
+            let _e126 = sine_a;
+            let _e127 = sine_b;
+            let _e128 = gabor_impl_times(_e126, _e127);
+            cells = (((_e119 + _e120) + _e124) - _e128);
+            let _e131 = cells;
+            grained = (_e131 + (0.1f * of_.a.second));
+            let _e142 = grained;
+            let _e147 = gabor_impl_step(-1.45f, -0.55f, vec3<f32>(_e142.x, 1f, 0f));
+            pebble = _e147.xy;
+            let _e150 = share;
+            let _e151 = pebble;
+            share = (_e150 + _e151.x);
+            let _e155 = pebble;
+            let _e157 = pebble;
+            let _e159 = grained;
+            let _e161 = (_e157.y * _e159.yz);
+            let _e170 = cells;
+            let _e171 = gabor_impl_step(-1f, 3f, _e170);
+            relief = (((0.016f * vec3<f32>(_e155.x, _e161.x, _e161.y)) + (0.013f * _e171)) + (0.0008f * of_.a.second));
+            let _e181 = pebble;
+            grain = ((0.0016f * _e181.y) + 0.0008f);
+            let _e187 = grains;
+            let _e188 = grain;
+            let _e189 = grain;
+            grains = (_e187 + (_e188 * _e189));
+            let _e192 = height_5;
+            let _e193 = relief;
+            height_5 = (_e192 + _e193);
+            let _e195 = lost_8;
+            let _e196 = relief;
+            let _e198 = gabor_impl_square(_e196.yz);
+            lost_8 = (_e195 + _e198);
         }
         continuing {
             let _e66 = i_17;
@@ -2660,34 +2689,34 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
         }
     }
     square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, -0.00012f));
-    let _e200 = samples_2;
-    let _e201 = kept_6;
-    let _e203 = square_5;
-    gabor_impl_average((&height_5), (&lost_8), _e200, _e201, 0.015964f, _e203);
-    let _e207 = share;
-    let _e208 = samples_2;
-    let _e211 = kept_6;
-    share = mix(0.806f, (_e207 / f32(_e208)), _e211);
-    let _e219 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e226 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
-    tones_1 = (_e219 + _e226);
-    let _e230 = tones_1;
-    let _e231 = gabor_impl_toned(leather.crease, _e230);
-    let _e233 = tones_1;
-    let _e234 = gabor_impl_toned(leather.pebble, _e233);
-    let _e235 = share;
-    colour_5 = mix(_e231, _e234, vec3(_e235));
-    let _e242 = lost_8;
-    let _e244 = grains;
-    let _e245 = samples_2;
-    let _e248 = kept_6;
-    lost_8 = ((leather.relief * leather.relief) * (_e242 + (mix(0.00000064f, (_e244 / f32(_e245)), _e248) * of_.a.lost)));
-    let _e255 = colour_5;
-    let _e257 = height_5;
-    let _e259 = lost_8;
-    let _e263 = share;
-    let _e268 = gabor_impl_material(_e255, (leather.relief * _e257), _e259, (leather.roughness + (0.15f * (1f - _e263))), 0f);
-    return _e268;
+    let _e212 = samples_2;
+    let _e213 = kept_6;
+    let _e215 = square_5;
+    gabor_impl_average((&height_5), (&lost_8), _e212, _e213, 0.015964f, _e215);
+    let _e219 = share;
+    let _e220 = samples_2;
+    let _e223 = kept_6;
+    share = mix(0.806f, (_e219 / f32(_e220)), _e223);
+    let _e231 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e238 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_1 = (_e231 + _e238);
+    let _e242 = tones_1;
+    let _e243 = gabor_impl_toned(leather.crease, _e242);
+    let _e245 = tones_1;
+    let _e246 = gabor_impl_toned(leather.pebble, _e245);
+    let _e247 = share;
+    colour_5 = mix(_e243, _e246, vec3(_e247));
+    let _e254 = lost_8;
+    let _e256 = grains;
+    let _e257 = samples_2;
+    let _e260 = kept_6;
+    lost_8 = ((leather.relief * leather.relief) * (_e254 + (mix(0.00000064f, (_e256 / f32(_e257)), _e260) * of_.a.lost)));
+    let _e267 = colour_5;
+    let _e269 = height_5;
+    let _e271 = lost_8;
+    let _e275 = share;
+    let _e280 = gabor_impl_material(_e267, (leather.relief * _e269), _e271, (leather.roughness + (0.15f * (1f - _e275))), 0f);
+    return _e280;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
@@ -3187,14 +3216,14 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 
 // Five sizes of streaks, and six octaves of patina.
 fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
-    var density_6: vec2<f32>;
+    var density_7: vec2<f32>;
     if (i >= 5i) {
         let _e13 = gabor_lobe_seed(seed, 5i);
         let _e14 = gabor_impl_octave(pixel, vec2(1.3f), (i - 5i), 6i, 0.75f, _e13);
         return _e14;
     }
-    density_6 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
-    let _e28 = density_6;
+    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
+    let _e28 = density_7;
     let _e29 = gabor_impl_spots_layer(0i, pixel, _e28, seed, i);
     return _e29;
 }
@@ -3326,27 +3355,27 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
     var angle_1: f32;
-    var at_12: GaborPixel;
+    var at_16: GaborPixel;
     var local_79: f32;
     var bend_3: f32;
     angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
     let _e17 = angle_1;
     let _e18 = gabor_impl_turned(pixel, _e17);
-    at_12 = _e18;
-    let _e20 = at_12;
+    at_16 = _e18;
+    let _e20 = at_16;
     if (_e20.period.y > 0f) {
-        let _e27 = at_12;
+        let _e27 = at_16;
         local_79 = min(0.17f, (0.02f * _e27.period.y));
     } else {
         local_79 = 0.17f;
     }
     let _e34 = local_79;
     bend_3 = _e34;
-    let _e36 = at_12;
+    let _e36 = at_16;
     let _e41 = bend_3;
     let _e45 = gabor_impl_warp(_e36, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e41), seed, (2i * i));
-    at_12 = _e45;
-    let _e47 = at_12;
+    at_16 = _e45;
+    let _e47 = at_16;
     let _e62 = gabor_impl_spots_layer(0i, _e47, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
     return _e62;
 }
@@ -3554,19 +3583,19 @@ fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborPixel {
 
 // Five octaves of roughness, moss, furrows, and cracks.
 fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborPixel, bark: GaborBark, seed: u32) -> GaborLayer {
-    var at_13: GaborPixel;
-    at_13 = trunk;
+    var at_17: GaborPixel;
+    at_17 = trunk;
     if ((i > 1i) && (i < 6i)) {
-        at_13 = pixel;
+        at_17 = pixel;
     }
     if (i < 5i) {
-        let _e13 = at_13;
+        let _e13 = at_17;
         let _e20 = gabor_lobe_seed(seed, 5i);
         let _e21 = gabor_impl_octave(_e13, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e20);
         return _e21;
     }
     if (i == 5i) {
-        let _e25 = at_13;
+        let _e25 = at_17;
         let _e30 = gabor_impl_spots_layer(1i, _e25, vec2<f32>(1.1f, 0.7f), seed, 6i);
         return _e30;
     }
@@ -3756,7 +3785,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: 
     var local_80: vec2<f32>;
     var local_81: vec2<f32>;
     var local_82: vec2<f32>;
-    var density_7: vec2<f32>;
+    var density_8: vec2<f32>;
     if (i < 4i) {
         let _e13 = gabor_lobe_seed(seed, 7i);
         let _e14 = gabor_impl_octave(pixel, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e13);
@@ -3780,8 +3809,8 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: 
         local_82 = _e36;
     }
     let _e38 = local_82;
-    density_7 = _e38;
-    let _e42 = density_7;
+    density_8 = _e38;
+    let _e42 = density_8;
     let _e49 = gabor_impl_spots_layer((i - 3i), rock, (_e42 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
     return _e49;
 }

@@ -165,7 +165,7 @@ GaborMaterial value_of(const Material& m, float pixel, Vec2 p, unsigned seed) {
 }
 
 // The light of a room with a bright window that `count` random facets with GGX's distribution mirror.
-// `spread` is the square of the matrix of their roughness along the surface: xx, yy, xy.
+// `spread` holds their squared roughness along the surface, as a symmetric matrix: xx, yy, xy.
 double mirrored(const GaborMaterial& m, const Vector<3>& spread, int count, Random& random) {
     const Vector<3> eye{-0.4, 0.2, 0.8944}, window{0.6, -0.3, 0.7416};
     const Vector<3> normal = unit(Vector<3>{-wide(m.slope.x), -wide(m.slope.y), 1});
