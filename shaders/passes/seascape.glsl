@@ -24,7 +24,10 @@ vec3 sky_of(vec3 sun, vec3 ray) {
     vec3 glow = mix(vec3(1.0, 0.42, 0.13), vec3(1.0, 0.8, 0.55), day);
     vec3 light = mix(mix(vec3(0.42, 0.4, 0.42), vec3(0.58, 0.68, 0.76), day), mix(vec3(0.09, 0.15, 0.32), vec3(0.11, 0.27, 0.56), day),
                      1.0 - exp(-4.0 * up));
-    return light + glow * (0.3 * pow(toward, 8.0) * exp(-2.0 * up) + 0.35 * pow(toward, 90.0) + 20.0 * smoothstep(0.99985, 0.99997, toward));
+    // The edge of the sun's disc is as narrow as some hundred steps of `toward`, so it needs 1 - toward without rounding.
+    vec3 between = ray - sun;
+    float disc = 1.0 - smoothstep(3.0e-5, 1.5e-4, 0.5 * dot(between, between));
+    return light + glow * (0.3 * pow(toward, 8.0) * exp(-2.0 * up) + 0.35 * pow(toward, 90.0) + 20.0 * disc);
 }
 
 // The water that was at rest at a place near x, where `shift` is that of the water at x or of water near it.
