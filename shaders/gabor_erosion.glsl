@@ -15,7 +15,7 @@
 #error Include gabor_noise.glsl before gabor_erosion.glsl
 #endif
 #ifndef GABOR_EROSION_GLSL
-#define GABOR_EROSION_GLSL
+#define GABOR_EROSION_GLSL 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -121,7 +121,7 @@ uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     vec2 value;
     vec2 slope_x;
     vec2 slope_y;
@@ -132,7 +132,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-void gabor_impl_add_hill_row(inout GaborHills sum, uvec4 words, vec4 x, vec4 slope_x, vec4 curvature_x, vec3 y) {
+void gabor_impl_add_hill_row(inout GaborImplHills sum, uvec4 words, vec4 x, vec4 slope_x, vec4 curvature_x, vec3 y) {
     vec4 a = vec4(ivec4(words)), b = vec4(ivec4(words << 16u));
     vec2 row = vec2(dot(x, a), dot(x, b)), along_x = vec2(dot(slope_x, a), dot(slope_x, b));
     sum.value += y.x * row;
@@ -157,7 +157,7 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     uint salt = gabor_impl_salt(seed);
     uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborImplHills hills = GaborImplHills(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, vec3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, vec3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, vec3(y.z, slope_y.z, curvature_y.z));
@@ -184,7 +184,7 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
 // direction.
-struct GaborBentField {
+struct GaborImplBentField {
     vec2 value;
     vec2 along_x;
     vec2 along_y;
@@ -192,7 +192,7 @@ struct GaborBentField {
 };
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 places, GaborAxis x, GaborAxis y, int j) {
+void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 places, GaborImplAxis x, GaborImplAxis y, int j) {
     vec4 before = vec4(0.0), row = vec4(0.0), after = vec4(0.0);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -213,11 +213,11 @@ void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 plac
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-GaborBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction, uint seed) {
+GaborImplBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     vec4 sum = vec4(0.0), places = vec4(0.0);
     vec2 along_y = vec2(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -231,7 +231,7 @@ GaborBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction
     vec2 nodes = direction.x * places.xy + direction.y * places.zw;
     vec2 bent = dot(direction, vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField(value, vec2(field.quadrature_gradient.x, field.gradient.x),
+    return GaborImplBentField(value, vec2(field.quadrature_gradient.x, field.gradient.x),
                           vec2(field.quadrature_gradient.y, field.gradient.y), vec2(-bent.y, bent.x));
 }
 
@@ -281,7 +281,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         vec2 z = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0), kept_slope = vec2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = inversesqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -340,4 +340,4 @@ vec4 gabor_ground(GaborTerrain terrain) {
     return vec4((1.0 - snow) * vec3((1.0 - rock) * vec2(1.0 - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_GLSL
+#endif

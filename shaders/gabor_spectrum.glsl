@@ -20,7 +20,7 @@
 #error Include gabor_noise.glsl before gabor_spectrum.glsl
 #endif
 #ifndef GABOR_SPECTRUM_GLSL
-#define GABOR_SPECTRUM_GLSL
+#define GABOR_SPECTRUM_GLSL 1
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -214,7 +214,7 @@ float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequ
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
 // The third is their difference, and so is its phase.
-struct GaborStar {
+struct GaborImplStar {
     vec2 first;
     vec2 second;
     vec2 third;
@@ -223,8 +223,8 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GaborStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
-    GaborStar star;
+GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
+    GaborImplStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5 * star.u + 0.8660254 * vec2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(dot(star.u, d));
@@ -249,8 +249,8 @@ void gabor_impl_add_wave(inout GaborField sum, vec3 window, vec2 a, vec2 wave) {
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
                                   place.radius.y);
     vec2 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
@@ -259,7 +259,7 @@ GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
         uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             vec2 d = frequency / place.radius * vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             vec2 h = vec2(x.node[i].x, y.node[j].x);
             vec3 window = vec3(h.x * h.y, stretch * vec2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -325,4 +325,4 @@ float gabor_profile_pulse(vec2 stripes, float duty) {
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
 
-#endif // GABOR_SPECTRUM_GLSL
+#endif

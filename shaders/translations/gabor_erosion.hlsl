@@ -17,7 +17,7 @@
 #error Include gabor_noise.hlsl before gabor_erosion.hlsl
 #endif
 #ifndef GABOR_EROSION_HLSL
-#define GABOR_EROSION_HLSL
+#define GABOR_EROSION_HLSL 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -161,7 +161,7 @@ uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     float2 value;
     float2 slope_x;
     float2 slope_y;
@@ -170,9 +170,9 @@ struct GaborHills {
     float2 curvature_yy;
 };
 
-GaborHills GaborHills_of(float2 value, float2 slope_x, float2 slope_y, float2 curvature_xx, float2 curvature_xy, float2 curvature_yy)
+GaborImplHills GaborImplHills_of(float2 value, float2 slope_x, float2 slope_y, float2 curvature_xx, float2 curvature_xy, float2 curvature_yy)
 {
-    GaborHills made;
+    GaborImplHills made;
     made.value = value;
     made.slope_x = slope_x;
     made.slope_y = slope_y;
@@ -184,7 +184,7 @@ GaborHills GaborHills_of(float2 value, float2 slope_x, float2 slope_y, float2 cu
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-void gabor_impl_add_hill_row(inout GaborHills sum, uint4 words, float4 x, float4 slope_x, float4 curvature_x, float3 y) {
+void gabor_impl_add_hill_row(inout GaborImplHills sum, uint4 words, float4 x, float4 slope_x, float4 curvature_x, float3 y) {
     float4 a = (float4)((int4)(words)), b = (float4)((int4)(words << 16u));
     float2 row = float2(dot(x, a), dot(x, b)), along_x = float2(dot(slope_x, a), dot(slope_x, b));
     sum.value += y.x * row;
@@ -209,7 +209,7 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, ui
     uint salt = gabor_impl_salt(seed);
     uint4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uint4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0));
+    GaborImplHills hills = GaborImplHills_of((float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0));
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, float3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, float3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, float3(y.z, slope_y.z, curvature_y.z));
@@ -236,16 +236,16 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, ui
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
 // direction.
-struct GaborBentField {
+struct GaborImplBentField {
     float2 value;
     float2 along_x;
     float2 along_y;
     float2 bent;
 };
 
-GaborBentField GaborBentField_of(float2 value, float2 along_x, float2 along_y, float2 bent)
+GaborImplBentField GaborImplBentField_of(float2 value, float2 along_x, float2 along_y, float2 bent)
 {
-    GaborBentField made;
+    GaborImplBentField made;
     made.value = value;
     made.along_x = along_x;
     made.along_y = along_y;
@@ -254,7 +254,7 @@ GaborBentField GaborBentField_of(float2 value, float2 along_x, float2 along_y, f
 }
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-void gabor_impl_add_bent_row(inout float4 sum, inout float2 along_y, inout float4 places, GaborAxis x, GaborAxis y, int j) {
+void gabor_impl_add_bent_row(inout float4 sum, inout float2 along_y, inout float4 places, GaborImplAxis x, GaborImplAxis y, int j) {
     float4 before = (float4)(0.0), row = (float4)(0.0), after = (float4)(0.0);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -275,11 +275,11 @@ void gabor_impl_add_bent_row(inout float4 sum, inout float2 along_y, inout float
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direction, uint seed) {
+GaborImplBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     float4 sum = (float4)(0.0), places = (float4)(0.0);
     float2 along_y = (float2)(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -293,7 +293,7 @@ GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direc
     float2 nodes = direction.x * places.xy + direction.y * places.zw;
     float2 bent = dot(direction, float2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField_of(value, float2(field.quadrature_gradient.x, field.gradient.x),
+    return GaborImplBentField_of(value, float2(field.quadrature_gradient.x, field.gradient.x),
                           float2(field.quadrature_gradient.y, field.gradient.y), float2(-bent.y, bent.x));
 }
 
@@ -343,7 +343,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, Gab
         float2 z = (float2)(0.0), z_x = (float2)(0.0), z_y = (float2)(0.0), kept_slope = (float2)(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = rsqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -402,4 +402,4 @@ float4 gabor_ground(GaborTerrain terrain) {
     return float4((1.0 - snow) * float3((1.0 - rock) * float2(1.0 - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_HLSL
+#endif

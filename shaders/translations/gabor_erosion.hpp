@@ -20,7 +20,7 @@
 #error Include gabor_noise.hpp before gabor_erosion.hpp
 #endif
 #ifndef GABOR_EROSION_HPP
-#define GABOR_EROSION_HPP
+#define GABOR_EROSION_HPP 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -126,7 +126,7 @@ GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     gabor_vec2 value;
     gabor_vec2 slope_x;
     gabor_vec2 slope_y;
@@ -137,7 +137,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, gabor_vec4 curvature_x, gabor_vec3 y) {
+GABOR_INLINE void gabor_impl_add_hill_row(GaborImplHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, gabor_vec4 curvature_x, gabor_vec3 y) {
     gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
     gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b)), along_x = gabor_vec2(gabor_cpp_dot(slope_x, a), gabor_cpp_dot(slope_x, b));
     sum.value += y.x * row;
@@ -162,7 +162,7 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     std::uint32_t salt = gabor_impl_salt(seed);
     gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborImplHills hills = GaborImplHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, gabor_vec3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, gabor_vec3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, gabor_vec3(y.z, slope_y.z, curvature_y.z));
@@ -189,7 +189,7 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
 // direction.
-struct GaborBentField {
+struct GaborImplBentField {
     gabor_vec2 value;
     gabor_vec2 along_x;
     gabor_vec2 along_y;
@@ -197,7 +197,7 @@ struct GaborBentField {
 };
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, gabor_vec4& places, GaborAxis x, GaborAxis y, int j) {
+GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, gabor_vec4& places, GaborImplAxis x, GaborImplAxis y, int j) {
     gabor_vec4 before = gabor_vec4(0.0f), row = gabor_vec4(0.0f), after = gabor_vec4(0.0f);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -218,11 +218,11 @@ GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, 
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
+GABOR_INLINE GaborImplBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     gabor_vec4 sum = gabor_vec4(0.0f), places = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -236,7 +236,7 @@ GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 w
     gabor_vec2 nodes = direction.x * places.xy() + direction.y * places.zw();
     gabor_vec2 bent = gabor_cpp_dot(direction, gabor_vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField{value, gabor_vec2(field.quadrature_gradient.x, field.gradient.x),
+    return GaborImplBentField{value, gabor_vec2(field.quadrature_gradient.x, field.gradient.x),
                           gabor_vec2(field.quadrature_gradient.y, field.gradient.y), gabor_vec2(-bent.y, bent.x)};
 }
 
@@ -286,7 +286,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -345,4 +345,4 @@ GABOR_INLINE gabor_vec4 gabor_ground(GaborTerrain terrain) {
     return gabor_vec4((1.0f - snow) * gabor_vec3((1.0f - rock) * gabor_vec2(1.0f - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_HPP
+#endif

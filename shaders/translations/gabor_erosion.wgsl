@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c00f73d7b750160f.
+// naga 30.0.1 made it from GLSL with the digest 8c28bf845dfdc6f6.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -175,7 +175,7 @@ fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     value: vec2<f32>,
     slope_x: vec2<f32>,
     slope_y: vec2<f32>,
@@ -186,7 +186,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborImplHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
     var row_1: vec2<f32>;
@@ -238,7 +238,7 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var salt_5: u32;
     var columns: vec4<u32>;
     var rows: vec4<u32>;
-    var hills: GaborHills = GaborHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
+    var hills: GaborImplHills = GaborImplHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
     var s_2: vec4<f32>;
     var area: f32;
     var kept: f32;
@@ -411,7 +411,7 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
 // direction.
-struct GaborBentField {
+struct GaborImplBentField {
     value: vec2<f32>,
     along_x: vec2<f32>,
     along_y: vec2<f32>,
@@ -419,7 +419,7 @@ struct GaborBentField {
 }
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32) {
+fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, j: i32) {
     var before: vec4<f32> = vec4(0f);
     var row_2: vec4<f32> = vec4(0f);
     var after: vec4<f32> = vec4(0f);
@@ -472,11 +472,11 @@ fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function,
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborBentField {
+fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborImplBentField {
     var direction_1: vec2<f32>;
     var salt_6: u32;
-    var x_8: GaborAxis;
-    var y_7: GaborAxis;
+    var x_8: GaborImplAxis;
+    var y_7: GaborImplAxis;
     var sum_7: vec4<f32> = vec4(0f);
     var places_1: vec4<f32> = vec4(0f);
     var along_y_3: vec2<f32> = vec2(0f);
@@ -555,7 +555,7 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     let _e178 = field_4;
     let _e182 = bent;
     let _e185 = bent;
-    return GaborBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
+    return GaborImplBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
 }
 
 // A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
@@ -631,7 +631,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var z_y: vec2<f32>;
     var kept_slope: vec2<f32>;
     var place_6: GaborPlace;
-    var field_5: GaborBentField;
+    var field_5: GaborImplBentField;
     var shrink: f32;
     var crest: f32;
     var local_13: f32;

@@ -20,9 +20,10 @@
 #error Include gabor_noise.hpp before gabor_ocean.hpp
 #endif
 #ifndef GABOR_OCEAN_HPP
-#define GABOR_OCEAN_HPP
+#define GABOR_OCEAN_HPP 1
+// Octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s.
 #ifndef GABOR_OCEAN_BANDS
-#define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
+#define GABOR_OCEAN_BANDS 9
 #elif GABOR_OCEAN_BANDS < 1 || GABOR_OCEAN_BANDS > 12
 #error GABOR_OCEAN_BANDS must be 1 to 12
 #endif
@@ -282,4 +283,4 @@ GABOR_INLINE float gabor_water_height(gabor_vec2 p, float seconds, GaborOcean oc
     return water.height;
 }
 
-#endif // GABOR_OCEAN_HPP
+#endif

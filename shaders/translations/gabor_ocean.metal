@@ -21,9 +21,10 @@ using namespace metal;
 #error Include gabor_noise.metal before gabor_ocean.metal
 #endif
 #ifndef GABOR_OCEAN_METAL
-#define GABOR_OCEAN_METAL
+#define GABOR_OCEAN_METAL 1
+// Octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s.
 #ifndef GABOR_OCEAN_BANDS
-#define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
+#define GABOR_OCEAN_BANDS 9
 #elif GABOR_OCEAN_BANDS < 1 || GABOR_OCEAN_BANDS > 12
 #error GABOR_OCEAN_BANDS must be 1 to 12
 #endif
@@ -283,4 +284,4 @@ inline float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint 
     return water.height;
 }
 
-#endif // GABOR_OCEAN_METAL
+#endif

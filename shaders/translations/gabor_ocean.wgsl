@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c3a90d2535390bf8.
+// naga 30.0.1 made it from GLSL with the digest 6aba1579a4895cd3.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.

@@ -25,7 +25,7 @@
 #error Include gabor_noise.hpp before gabor_spectrum.hpp
 #endif
 #ifndef GABOR_SPECTRUM_HPP
-#define GABOR_SPECTRUM_HPP
+#define GABOR_SPECTRUM_HPP 1
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -219,7 +219,7 @@ GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orien
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
 // The third is their difference, and so is its phase.
-struct GaborStar {
+struct GaborImplStar {
     gabor_vec2 first;
     gabor_vec2 second;
     gabor_vec2 third;
@@ -228,8 +228,8 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GABOR_INLINE GaborStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
-    GaborStar star;
+GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
+    GaborImplStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5f * star.u + 0.8660254f * gabor_vec2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(gabor_cpp_dot(star.u, d));
@@ -254,8 +254,8 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField& sum, gabor_vec3 window, gabor_
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
                                   place.radius.y);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
@@ -264,7 +264,7 @@ GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency,
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             gabor_vec2 d = frequency / place.radius * gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             gabor_vec2 h = gabor_vec2(x.node[i].x, y.node[j].x);
             gabor_vec3 window = gabor_vec3(h.x * h.y, stretch * gabor_vec2(x.node[i].z, y.node[j].z) * h.yx());
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -330,4 +330,4 @@ GABOR_INLINE float gabor_profile_pulse(gabor_vec2 stripes, float duty) {
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
 
-#endif // GABOR_SPECTRUM_HPP
+#endif

@@ -26,7 +26,7 @@ using namespace metal;
 #error Include gabor_noise.metal before gabor_spectrum.metal
 #endif
 #ifndef GABOR_SPECTRUM_METAL
-#define GABOR_SPECTRUM_METAL
+#define GABOR_SPECTRUM_METAL 1
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -220,7 +220,7 @@ inline float gabor_noise_spread(float2 p, float frequency, float orientation, fl
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
 // The third is their difference, and so is its phase.
-struct GaborStar {
+struct GaborImplStar {
     float2 first;
     float2 second;
     float2 third;
@@ -229,8 +229,8 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-inline GaborStar gabor_impl_star(uint4 words, float2 d, float moment) {
-    GaborStar star;
+inline GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
+    GaborImplStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5 * star.u + 0.8660254 * float2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(dot(star.u, d));
@@ -255,8 +255,8 @@ inline void gabor_impl_add_wave(thread GaborField& sum, float3 window, float2 a,
 // Unrolling these loops by hand made them four times slower on lavapipe.
 inline GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
                                   place.radius.y);
     float2 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
@@ -265,7 +265,7 @@ inline GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint 
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             float2 d = frequency / place.radius * float2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             float2 h = float2(x.node[i].x, y.node[j].x);
             float3 window = float3(h.x * h.y, stretch * float2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -331,4 +331,4 @@ inline float gabor_profile_pulse(float2 stripes, float duty) {
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
 
-#endif // GABOR_SPECTRUM_METAL
+#endif

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c620ed422396e2f9.
+// naga 30.0.1 made it from GLSL with the digest bb1da7cd95df1eea.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -373,7 +373,7 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
 // The third is their difference, and so is its phase.
-struct GaborStar {
+struct GaborImplStar {
     first: vec2<f32>,
     second: vec2<f32>,
     third: vec2<f32>,
@@ -382,8 +382,8 @@ struct GaborStar {
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
-    var star: GaborStar;
+fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborImplStar {
+    var star: GaborImplStar;
     let _e10 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
     star.u = _e10;
     let _e13 = star;
@@ -441,15 +441,15 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     var frequency_11: f32;
     var salt_4: u32;
-    var x_5: GaborAxis;
-    var y_4: GaborAxis;
+    var x_5: GaborImplAxis;
+    var y_4: GaborImplAxis;
     var stretch_2: vec2<f32>;
     var sum_8: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_2: i32 = 0i;
     var row_1: vec4<u32>;
     var i_5: i32;
     var d_1: vec2<f32>;
-    var star_1: GaborStar;
+    var star_1: GaborImplStar;
     var h: vec2<f32>;
     var window_1: vec3<f32>;
     var field_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
