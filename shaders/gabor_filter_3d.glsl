@@ -19,13 +19,13 @@
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
 //                                           vec3 direction, uint seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency, uint seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
-//                                                     uint seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal,
+//                                                     float frequency, uint seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -55,7 +55,7 @@ vec3 gabor_impl_symmetric_3d(GaborImplMatrix m, vec3 v) {
 // The inverse times the determinant.
 GaborImplMatrix gabor_impl_adjugate(GaborImplMatrix m, out float determinant) {
     GaborImplMatrix a = GaborImplMatrix(m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
-                                m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
+                                        m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
     determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -69,9 +69,10 @@ vec3 gabor_impl_along_z(vec3 y_0, vec3 y_1, vec3 y_2, vec3 w) {
 }
 
 // The weighted sum of the products of three axes' factors.
-vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z, vec3 w) {
+vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z,
+                              vec3 w) {
     GaborImplFactors slice = GaborImplFactors(gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
+                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
     return gabor_impl_contracted(slice, z, vec3(1.0));
 }
 
@@ -87,13 +88,13 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
     adjugate = gabor_impl_adjugate(GaborImplMatrix(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
     vec3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
     GaborImplFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                   place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                   gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
     GaborImplFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                   place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                   gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
     GaborImplColumns columns = gabor_impl_columns(x);
     GaborImplFilteredLine first = gabor_impl_line_before(y, vec2(y.back.x, -y.back.y));
     GaborImplFilteredLine slice = gabor_impl_line_before(
@@ -110,8 +111,8 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborImplFactors edge = GaborImplFactors(vec3(0.0), vec3(0.0)); // unused
-            GaborImplFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
-                                                       edge);
+            GaborImplFactors sum =
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -133,7 +134,8 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
     float exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
     float scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
-    return GaborField3d(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary, 0.0);
+    return GaborField3d(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary,
+                        0.0);
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
@@ -157,7 +159,7 @@ GaborImplPixelAxes gabor_impl_pixel(vec3 dx, vec3 dy, vec3 stretch) {
 // Limits the length of each axis to `most`.
 GaborImplPixelAxes gabor_impl_resolved(GaborImplPixelAxes pixel, float most) {
     return GaborImplPixelAxes(most * inversesqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * inversesqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
+                              most * inversesqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
 }
 
 GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
@@ -177,9 +179,10 @@ float gabor_impl_transmitted_3d(vec3 wave, GaborImplPixelAxes pixel) {
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inversesqrt(d.x * d.y);
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, vec3 mixed,
-                                   float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
+                                   vec3 mixed, float moment) {
     vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy);
@@ -188,14 +191,15 @@ void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborImplA
                 + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborImplMatrix pixel, bool wanted, uint salt) {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborImplMatrix pixel, bool wanted,
+                                           uint salt) {
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
     GaborImplAxis unused = x;
@@ -231,8 +235,8 @@ GaborField3d gabor_field_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0, salt),
                                 (1.0 - wide) * amplitude, stretch);
     if (kept && wide > 0.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt), wide * amplitude,
-                                stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt),
+                                wide * amplitude, stretch);
     return sum;
 }
 
@@ -243,16 +247,16 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, 
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), sqrt(power),
-                                vec3(1.0));
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+                                sqrt(power), vec3(1.0));
     }
     return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
 struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;
@@ -269,10 +273,11 @@ GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float vari
     return GaborImplFilteredNode(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                     vec4 wave, float moment, GaborImplMatrix pixel, uint word) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                     GaborImplFilteredNode z, vec4 wave, float moment, GaborImplMatrix pixel,
+                                     uint word) {
     vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     vec3 middle = vec3(x.middle, y.middle, z.middle), cosine = vec3(x.cosine, y.cosine, z.cosine);
     vec3 sine = vec3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
@@ -284,7 +289,8 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNo
     h = middle + even * cosine;
     vec3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
     vec3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
-    vec2 value = gabor_impl_product(vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
+    vec2 value =
+        gabor_impl_product(vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     vec3 faded = vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
@@ -293,9 +299,9 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNo
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
 }
 
-void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                      vec3 scale, float moment, GaborImplMatrix pixel, GaborImplTangents tangents, uint column,
-                                      uvec4 row) {
+void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                      GaborImplFilteredNode z, vec3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplTangents tangents, uint column, uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     vec4 unit = vec4(scale, 1.0);
@@ -328,8 +334,8 @@ float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel
     return mean * inversesqrt(d.x * d.y);
 }
 
-GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency, GaborImplTangents tangents,
-                                           uint seed) {
+GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency,
+                                           GaborImplTangents tangents, uint seed) {
     vec3 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, vec3(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
@@ -339,13 +345,15 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy,
     GaborField3d field = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 1.0 - transmitted);
     if (transmitted == 0.0)
         return field;
-    GaborImplMatrix pixel = gabor_impl_covariance(GaborImplPixelAxes(resolved.major * stretch, resolved.minor * stretch));
+    GaborImplMatrix pixel =
+        gabor_impl_covariance(GaborImplPixelAxes(resolved.major * stretch, resolved.minor * stretch));
     vec3 s = pixel.diagonal, scale = frequency / stretch;
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -358,7 +366,8 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy,
         gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
         gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
-    amplitude *= inversesqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    amplitude *= inversesqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
+               / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);
     return field;
 }

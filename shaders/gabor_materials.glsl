@@ -195,8 +195,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 vec3 gabor_impl_times(vec3 a, vec3 b) {
@@ -286,9 +286,9 @@ vec4 gabor_impl_radii(GaborImplPixel at, vec2 density) {
     return vec4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
@@ -297,9 +297,10 @@ GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, 
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel(at.position + amplitude * vec2(field.quadrature, field.noise),
-                      at.by_x + at.by_x.x * along_x + at.by_x.y * along_y, at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -327,8 +328,8 @@ GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * vec2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel(vec2(dot(x, at.position), dot(y, at.position)), vec2(dot(x, at.by_x), dot(y, at.by_x)),
-                      vec2(dot(x, at.by_y), dot(y, at.by_y)), vec2(dot(x, at.dx), dot(y, at.dx)),
-                      vec2(dot(x, at.dy), dot(y, at.dy)), period);
+                          vec2(dot(x, at.by_y), dot(y, at.by_y)), vec2(dot(x, at.dx), dot(y, at.dx)),
+                          vec2(dot(x, at.dy), dot(y, at.dy)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -362,16 +363,17 @@ GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, vec2 density,
     return GaborImplLayer(slot, at, density, vec2(0.0), 1.0, gabor_lobe_seed(seed, index));
 }
 
-GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density, float frequency, float orientation, uint seed,
-                                  int index) {
-    return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
+GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density, float frequency, float orientation,
+                                      uint seed, int index) {
+    return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                          gabor_lobe_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GaborImplLayer gabor_impl_octave(GaborImplPixel at, vec2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
-    return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0), pow(gain, float(i)) * inversesqrt(power),
-                      gabor_lobe_seed(seed, i));
+    return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0),
+                          pow(gain, float(i)) * inversesqrt(power), gabor_lobe_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -404,13 +406,14 @@ GaborImplPairs gabor_impl_no_pairs() {
 GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, vec3 lost) {
     vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
     return GaborImplPair(vec3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                     vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y));
+                         vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y));
 }
 
 GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
     return GaborImplPair(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost);
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost);
 }
 
 GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
@@ -454,13 +457,14 @@ GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint
     vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
     return GaborImplSpotsAxis(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
+                              gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborImplSpotsAxis x, uint word, vec4 y, float coupling) {
+void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborImplSpotsAxis x, uint word, vec4 y,
+                              float coupling) {
     vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     vec2 c = gabor_impl_amplitude(x.word.z * word);
     vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -482,7 +486,7 @@ GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -505,9 +509,9 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
     float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x, salt, vec2(1.0, 0.0));
+                                                            place.period.x, salt, vec2(1.0, 0.0));
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
     GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -538,7 +542,8 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
 
 GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
     GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     vec4 sum = vec4(0.0);
     vec2 along_y = vec2(0.0);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -567,8 +572,9 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint se
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
 GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     vec4 steps = gabor_impl_radii(layer.at, layer.density);
     vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
@@ -668,8 +674,8 @@ vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 vec3 gabor_impl_rise(vec3 phase, vec3 span) {
     vec3 ends = gabor_impl_ends_at(phase.x, span.x);
     vec2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
@@ -735,7 +741,8 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
                 + 0.45 * deep.x * wood.late;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
     float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
-    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.pair_1.lost
+    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+              + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
@@ -770,8 +777,8 @@ vec2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : vec2(0.0);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 void gabor_impl_average(inout vec3 height, inout vec3 lost, int count, float kept, float mean, vec3 square) {
     height = kept / float(count) * height + vec3((1.0 - kept) * mean, 0.0, 0.0);
     lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : vec3(0.0);
@@ -802,8 +809,8 @@ float gabor_impl_over(float x, float y, float weave) {
     return fract(0.25 * (x + y) + 0.125) < 0.5 ? 1.0 : -1.0; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
     float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
@@ -846,7 +853,8 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
         height += top;
         lost += gabor_impl_square(top.yz);
     }
-    vec3 mean = vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    vec3 mean =
+        vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = vec3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, vec3(mean.z * count * count, 0.0));
     colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
@@ -935,7 +943,8 @@ GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
 GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
     vec2 bends = vec2(0.07, 0.014) * leather.wrinkles;
@@ -944,7 +953,8 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, uint seed) {
+GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
@@ -1153,14 +1163,16 @@ void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, 
 }
 
 GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
-    vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    vec3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
     vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
     float threshold = 2.4 - 3.8 * metal.weathering;
     vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
     vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
     height += 0.003 * cover + 0.001 * of.pair_1.first;
-    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3) + 1.0e-6 * of.pair_1.lost;
+    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
+          + 1.0e-6 * of.pair_1.lost;
     return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
                                1.0 - cover.x);
 }
@@ -1183,7 +1195,8 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
@@ -1231,8 +1244,8 @@ float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint 
 }
 
 // Hair, tone and stripes.
-GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction, GaborZebra zebra,
-                                  uint seed) {
+GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, uint seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, vec2(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
@@ -1248,7 +1261,8 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
     vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
     vec3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness, 0.0);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0);
 }
 
 GaborMaterial gabor_zebra_at(vec2 p, vec2 period, GaborZebra zebra, uint seed) {
@@ -1295,8 +1309,8 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     vec3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
     vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
     vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
     float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
     float deep = bark.depth + 0.0108 * of.pair_0.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
@@ -1330,7 +1344,8 @@ GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint se
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata, uint seed) {
+GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       uint seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
@@ -1349,7 +1364,8 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
                  0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
     colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
                  0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
-    vec3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first + 0.003 * of.pair_0.second;
+    vec3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
+                + 0.003 * of.pair_0.second;
     vec3 lost = 0.0004 * of.pair_1.lost + 3.6e-5 * of.pair_3.lost + 2.25e-6 * of.pair_4.lost + 9.0e-6 * of.pair_0.lost
               + 0.000144 * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5, 0.22);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,

@@ -51,9 +51,9 @@ precision highp int;
 #endif
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
-// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of 6.1.
-// The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps, and
-// by 1.5 % with 4; positions differ by up to twice as much.
+// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of
+// 6.1. The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps,
+// and by 1.5 % with 4; positions differ by up to twice as much.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -122,7 +122,8 @@ struct GaborPlace {
 // vec2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// nothing.
 struct GaborField {
     float noise;
     vec2 gradient;
@@ -338,9 +339,9 @@ GaborImplAxis gabor_impl_axis(int cell, float local, int period, uint salt, floa
     return axis;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
+// take FXC four times as long through ANGLE.
 vec2 gabor_impl_amplitude_at(uint word, float moment) {
     vec2 amplitude = gabor_impl_amplitude(word);
     if (moment != 0.0) {

@@ -105,7 +105,7 @@ std::array<std::string, 2> term_of(const View& view, const passes::PixelsWave& w
     const auto table = static_cast<std::size_t>(wave.table);
     const passes::Line x = view.table<passes::Line>(0)[table], y = view.table<passes::Line>(1)[table];
     const float ratio = wave.radius.y / wave.radius.x;
-    return {glsl("GaborPlace(ivec2({}, {}), {} + here.p * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
+    return {glsl("GaborPlace(ivec2({}, {}), {} + here.position * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
                  render::in_perspective(view.request) ? wave.camera : passes::vec2{x.local, y.local},
                  std::array{wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y}, wave.nodes,
                  wave.period.x, wave.period.y),

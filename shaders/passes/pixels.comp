@@ -54,7 +54,7 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     PixelsWave wave = wave_table[index];
     Line column = columns[pixel_at.x * tables + wave.table];
     Line row = rows[pixel_at.y * tables + wave.table];
-    vec2 local = horizon ? here.p * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
+    vec2 local = horizon ? here.position * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
     ivec2 cell = ivec2(column.cell, row.cell);
     vec2 paint_here = painted ? painted_at(vec2(pixel_at)) : vec2(1.0, 0.0);
     float frequency = paint_here.x * wave.frequency;

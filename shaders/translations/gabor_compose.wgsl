@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 2f822acd691c9593.
+// naga 30.0.1 made it from GLSL with the digest 0de19996ffcbf4c7.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -62,8 +62,8 @@ struct GaborBoard {
 //     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
-//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
-//     the slopes of joints, which are too few and too steep to widen a highlight.
+//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost`
+//     leaves out the slopes of joints, which are too few and too steep to widen a highlight.
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, f32 softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.

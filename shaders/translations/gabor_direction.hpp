@@ -92,7 +92,7 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
-                                  place.radius.y);
+                                      place.radius.y);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {

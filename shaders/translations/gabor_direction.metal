@@ -93,7 +93,7 @@ inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint see
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                  place.radius.y);
+                                      place.radius.y);
     float2 stretch = place.radius / GABOR_RADIUS;
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 4436584ac1d8f0a2.
+// naga 30.0.1 made it from GLSL with the digest 34b385d6e705416c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the

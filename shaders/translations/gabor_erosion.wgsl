@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 8c28bf845dfdc6f6.
+// naga 30.0.1 made it from GLSL with the digest 74c6457dc096269c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -25,14 +25,14 @@ struct GaborTerrain {
 }
 
 struct GaborErosion {
-    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
     frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     strength: f32, // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-    detail: f32, // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
+    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+    detail: f32, // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
     ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
     gully_weight: f32, // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -47,16 +47,16 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // GaborTerrain gabor_eroded(vec2f p, GaborTerrain base, GaborErosion erosion, u32 seed)
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
-//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
-//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
-//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
-//     draw it as a heightmap first, which has its curvature in nine texels.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
+//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
+//     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
+//     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
 // vec4f gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
-//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
-//     those of gabor_terrain.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
+//     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
+//     -1 to 1, as those of gabor_terrain.
 
 struct GaborTerrainPlace {
     cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis
@@ -409,8 +409,8 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
 }
 
-// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
-// direction.
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
+// a direction.
 struct GaborImplBentField {
     value: vec2<f32>,
     along_x: vec2<f32>,
@@ -558,8 +558,8 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     return GaborImplBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
-// by the rounding.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
+// and by the rounding.
 fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
     var local_12: f32;
     var part: f32;

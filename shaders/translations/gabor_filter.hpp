@@ -3,8 +3,8 @@
 //
 // gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if
+// you filter its noises.
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -19,8 +19,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -50,9 +50,9 @@
 
 #ifdef GABOR_SPECTRUM_HPP
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, float frequency, uint seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -180,7 +180,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                     GABOR_RADIUS);
+                                         GABOR_RADIUS);
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
@@ -221,7 +221,8 @@ struct GaborImplFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-GABOR_INLINE GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
+GABOR_INLINE GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period,
+                                               std::uint32_t salt, gabor_vec2 step) {
     GaborImplFilteredAxis b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
     b.count = b.reach > 2.0f ? 5 : 4;
@@ -333,19 +334,20 @@ GABOR_INLINE GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis 
 // Returns the sum plus a complex number times the factors.
 GABOR_INLINE GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors factors, float real, float imaginary) {
     return GaborImplFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
-                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-GABOR_INLINE void gabor_impl_add_filtered_node(GaborImplFactors& row, GaborImplFactors& edge, GaborImplFilteredLine column, std::uint32_t row_word,
-                                  float moment) {
+GABOR_INLINE void gabor_impl_add_filtered_node(GaborImplFactors& row, GaborImplFactors& edge, GaborImplFilteredLine column,
+                                  std::uint32_t row_word, float moment) {
     gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, std::uint32_t row_word, float moment, GaborImplFactors& edge) {
+GABOR_INLINE GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, std::uint32_t row_word, float moment,
+                                         GaborImplFactors& edge) {
     GaborImplFactors row = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
     edge = row;
     gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
@@ -380,10 +382,10 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
-                                       step_x);
-    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
-                                      salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     GaborImplColumns columns = gabor_impl_columns(across);
     GaborImplFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
@@ -492,8 +494,8 @@ struct GaborImplWindows {
     gabor_vec2 sine;
 };
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
 GABOR_INLINE void gabor_impl_add_filtered_wave(GaborField& sum, GaborImplWindows node, gabor_vec2 faded, gabor_vec3 s, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 x = 19.739209f * gabor_impl_symmetric(s, wave);
@@ -527,12 +529,14 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(gabor_cpp_min(kept / gabor_cpp_max(narrower, 1.0e-30f), 1.0f));
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
     gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
@@ -542,7 +546,8 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
             gabor_vec2 t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
             gabor_vec2 change = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(d);
             gabor_vec2 cosine = fall * (gabor_vec2(x.node[i].x, y.node[j].x) - 0.5f);
-            GaborImplWindows node = GaborImplWindows{0.5f * fade, fade * cosine, fade * fall * gabor_vec2(x.node[i].z, y.node[j].z)};
+            GaborImplWindows node =
+                GaborImplWindows{0.5f * fade, fade * cosine, fade * fall * gabor_vec2(x.node[i].z, y.node[j].z)};
             gabor_vec2 faded = change / gabor_cpp_max(fade, 1.0e-6f); // derivative of the logarithm of the fade
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);

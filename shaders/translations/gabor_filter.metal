@@ -2,8 +2,8 @@
 //
 // gabor_filter.metal: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, the default; and after gabor_spectrum.metal, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, the default; and after gabor_spectrum.metal, if
+// you filter its noises.
 //
 //     float2 f = gabor_noise_filtered(p, dfdx(p), dfdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -18,8 +18,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dfdx(p) and dfdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -51,9 +51,9 @@ using namespace metal;
 
 #ifdef GABOR_SPECTRUM_METAL
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy, float frequency, uint seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, float2 dx, float2 dy, GaborLobes lobes, uint seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -181,7 +181,7 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     float2 blurred = gabor_impl_symmetric(s, wave);
     GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                     GABOR_RADIUS);
+                                         GABOR_RADIUS);
     float2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
@@ -222,7 +222,8 @@ struct GaborImplFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-inline GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
+inline GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period,
+                                               uint salt, float2 step) {
     GaborImplFilteredAxis b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
@@ -334,19 +335,20 @@ inline GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis b, flo
 // Returns the sum plus a complex number times the factors.
 inline GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors factors, float real, float imaginary) {
     return GaborImplFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
-                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-inline void gabor_impl_add_filtered_node(thread GaborImplFactors& row, thread GaborImplFactors& edge, GaborImplFilteredLine column, uint row_word,
-                                  float moment) {
+inline void gabor_impl_add_filtered_node(thread GaborImplFactors& row, thread GaborImplFactors& edge, GaborImplFilteredLine column,
+                                  uint row_word, float moment) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-inline GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float moment, thread GaborImplFactors& edge) {
+inline GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float moment,
+                                         thread GaborImplFactors& edge) {
     GaborImplFactors row = GaborImplFactors{float3(0.0), float3(0.0)}, none = row;
     edge = row;
     gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
@@ -381,10 +383,10 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     float3 weights = float3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     float2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
-                                       step_x);
-    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
-                                      salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     GaborImplColumns columns = gabor_impl_columns(across);
     GaborImplFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
@@ -493,8 +495,8 @@ struct GaborImplWindows {
     float2 sine;
 };
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
 inline void gabor_impl_add_filtered_wave(thread GaborField& sum, GaborImplWindows node, float2 faded, float3 s, float2 a, float2 wave) {
     float2 x = 19.739209 * gabor_impl_symmetric(s, wave);
@@ -528,12 +530,14 @@ inline GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, fl
     s *= 0.04 / max(0.5 * (s.x + s.y + length(float2(s.x - s.y, 2.0 * s.z))), 0.04);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
-    float2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= float3(stretch * stretch, stretch.x * stretch.y);
     float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {
         uint4 row = gabor_impl_row(y.word[j]);
@@ -543,7 +547,8 @@ inline GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, fl
             float2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             float2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             float2 cosine = fall * (float2(x.node[i].x, y.node[j].x) - 0.5);
-            GaborImplWindows node = GaborImplWindows{0.5 * fade, fade * cosine, fade * fall * float2(x.node[i].z, y.node[j].z)};
+            GaborImplWindows node =
+                GaborImplWindows{0.5 * fade, fade * cosine, fade * fall * float2(x.node[i].z, y.node[j].z)};
             float2 faded = change / max(fade, 1.0e-6); // derivative of the logarithm of the fade
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);

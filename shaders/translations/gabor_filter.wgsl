@@ -1,11 +1,11 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 322dbb07936c9db4.
+// naga 30.0.1 made it from GLSL with the digest 84b4bb92dd536336.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if
+// you filter its noises.
 //
 //     vec2f f = gabor_noise_filtered(p, dpdx(p), dpdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -20,8 +20,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dpdx(p) and dpdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -39,9 +39,9 @@
 //     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2f dx, vec2f dy, f32 frequency, u32 seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -1125,8 +1125,8 @@ struct GaborImplWindows {
     sine: vec2<f32>,
 }
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
 fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborImplWindows, faded: vec2<f32>, s: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
     var a_6: vec2<f32>;

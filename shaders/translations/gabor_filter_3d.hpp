@@ -24,13 +24,13 @@
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
 //                                           vec3 direction, uint seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency, uint seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
-//                                                     uint seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal,
+//                                                     float frequency, uint seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -60,7 +60,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_symmetric_3d(GaborImplMatrix m, gabor_vec3 v)
 // The inverse times the determinant.
 GABOR_INLINE GaborImplMatrix gabor_impl_adjugate(GaborImplMatrix m, float& determinant) {
     GaborImplMatrix a = GaborImplMatrix{m.diagonal.yzx() * m.diagonal.zxy() - m.mixed * m.mixed,
-                                m.mixed.yzx() * m.mixed.zxy() - m.diagonal * m.mixed};
+                                        m.mixed.yzx() * m.mixed.zxy() - m.diagonal * m.mixed};
     determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -74,9 +74,10 @@ GABOR_INLINE gabor_vec3 gabor_impl_along_z(gabor_vec3 y_0, gabor_vec3 y_1, gabor
 }
 
 // The weighted sum of the products of three axes' factors.
-GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z, gabor_vec3 w) {
+GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z,
+                              gabor_vec3 w) {
     GaborImplFactors slice = GaborImplFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
+                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
     return gabor_impl_contracted(slice, z, gabor_vec3(1.0f));
 }
 
@@ -92,13 +93,13 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     adjugate = gabor_impl_adjugate(GaborImplMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
     GaborImplFilteredAxis y = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                   place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                   gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
     GaborImplFilteredAxis z = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                   place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                   gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
     GaborImplColumns columns = gabor_impl_columns(x);
     GaborImplFilteredLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
     GaborImplFilteredLine slice = gabor_impl_line_before(
@@ -115,8 +116,8 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // unused
-            GaborImplFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
-                                                       edge);
+            GaborImplFactors sum =
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -138,7 +139,8 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + gabor_cpp_dot(d, c * c));
     float scale = gabor_cpp_sqrt(8.0f / determinant / GABOR_IMPL_ENERGY) * gabor_cpp_exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
-    return GaborField3d{scale * value.y, 6.2831853f * scale * real, scale * value.x, -6.2831853f * scale * imaginary, 0.0f};
+    return GaborField3d{scale * value.y, 6.2831853f * scale * real, scale * value.x, -6.2831853f * scale * imaginary,
+                        0.0f};
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
@@ -162,7 +164,7 @@ GABOR_INLINE GaborImplPixelAxes gabor_impl_pixel(gabor_vec3 dx, gabor_vec3 dy, g
 // Limits the length of each axis to `most`.
 GABOR_INLINE GaborImplPixelAxes gabor_impl_resolved(GaborImplPixelAxes pixel, float most) {
     return GaborImplPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
+                              most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
 }
 
 GABOR_INLINE GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
@@ -182,9 +184,10 @@ GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborImplPixelAxes
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, gabor_vec3 mixed,
-                                   float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
+                                   gabor_vec3 mixed, float moment) {
     gabor_vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy());
@@ -193,14 +196,15 @@ GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slo
                 + mixed.z * gabor_impl_product(slope.zw(), z.node[0].xy()), 0.0f, 0.0f);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix pixel, bool wanted, std::uint32_t salt) {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix pixel, bool wanted,
+                                           std::uint32_t salt) {
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
     GaborImplAxis unused = x;
@@ -236,8 +240,8 @@ GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0f, salt),
                                 (1.0f - wide) * amplitude, stretch);
     if (kept && wide > 0.0f)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0f, salt), wide * amplitude,
-                                stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0f, salt),
+                                wide * amplitude, stretch);
     return sum;
 }
 
@@ -248,16 +252,16 @@ GABOR_INLINE GaborField3d gabor_field_surface_filtered(GaborPlace3d place, gabor
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
         gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power),
-                                gabor_vec3(1.0f));
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+                                gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
 struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;
@@ -274,10 +278,11 @@ GABOR_INLINE GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode nod
     return GaborImplFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope, faded};
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                     gabor_vec4 wave, float moment, GaborImplMatrix pixel, std::uint32_t word) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                     GaborImplFilteredNode z, gabor_vec4 wave, float moment, GaborImplMatrix pixel,
+                                     std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.middle, y.middle, z.middle), cosine = gabor_vec3(x.cosine, y.cosine, z.cosine);
     gabor_vec3 sine = gabor_vec3(x.sine, y.sine, z.sine), s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
@@ -289,7 +294,8 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFi
     h = middle + even * cosine;
     gabor_vec3 i_h = 0.31830989f * odd * sine, i_slope = -3.1415927f * odd * cosine;
     gabor_vec3 real = h.yzx() * h.zxy() - i_h.yzx() * i_h.zxy(), imaginary = h.yzx() * i_h.zxy() + i_h.yzx() * h.zxy();
-    gabor_vec2 value = gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
+    gabor_vec2 value =
+        gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     gabor_vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     gabor_vec3 faded = gabor_vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
@@ -298,9 +304,9 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFi
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853f * value.y * wave.xyz();
 }
 
-GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                      gabor_vec3 scale, float moment, GaborImplMatrix pixel, GaborImplTangents tangents, std::uint32_t column,
-                                      gabor_uvec4 row) {
+GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                      GaborImplFilteredNode z, gabor_vec3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
@@ -333,8 +339,8 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborImplPi
     return mean * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float frequency, GaborImplTangents tangents,
-                                           std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float frequency,
+                                           GaborImplTangents tangents, std::uint32_t seed) {
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, gabor_vec3(1.0f)), resolved = gabor_impl_resolved(whole, 0.5f);
@@ -344,13 +350,15 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabo
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
     if (transmitted == 0.0f)
         return field;
-    GaborImplMatrix pixel = gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
+    GaborImplMatrix pixel =
+        gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
     gabor_vec3 s = pixel.diagonal, scale = frequency / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -363,7 +371,8 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabo
         gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
         gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
-    amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)
+               / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);
     return field;
 }

@@ -25,13 +25,13 @@ using namespace metal;
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
 //                                           float3 direction, uint seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency, uint seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
-//                                                     uint seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal,
+//                                                     float frequency, uint seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -61,7 +61,7 @@ inline float3 gabor_impl_symmetric_3d(GaborImplMatrix m, float3 v) {
 // The inverse times the determinant.
 inline GaborImplMatrix gabor_impl_adjugate(GaborImplMatrix m, thread float& determinant) {
     GaborImplMatrix a = GaborImplMatrix{m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
-                                m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed};
+                                        m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed};
     determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -75,9 +75,10 @@ inline float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
 }
 
 // The weighted sum of the products of three axes' factors.
-inline float2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z, float3 w) {
+inline float2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z,
+                              float3 w) {
     GaborImplFactors slice = GaborImplFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
+                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
     return gabor_impl_contracted(slice, z, float3(1.0));
 }
 
@@ -93,13 +94,13 @@ inline GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave,
     adjugate = gabor_impl_adjugate(GaborImplMatrix{1.0 + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
     GaborImplFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                   place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                   gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
     GaborImplFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                   place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                   gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
     GaborImplColumns columns = gabor_impl_columns(x);
     GaborImplFilteredLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
     GaborImplFilteredLine slice = gabor_impl_line_before(
@@ -116,8 +117,8 @@ inline GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave,
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborImplFactors edge = GaborImplFactors{float3(0.0), float3(0.0)}; // unused
-            GaborImplFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
-                                                       edge);
+            GaborImplFactors sum =
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -139,7 +140,8 @@ inline GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave,
     float exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
     float scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
-    return GaborField3d{scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary, 0.0};
+    return GaborField3d{scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary,
+                        0.0};
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
@@ -163,7 +165,7 @@ inline GaborImplPixelAxes gabor_impl_pixel(float3 dx, float3 dy, float3 stretch)
 // Limits the length of each axis to `most`.
 inline GaborImplPixelAxes gabor_impl_resolved(GaborImplPixelAxes pixel, float most) {
     return GaborImplPixelAxes{most * rsqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
+                              most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
 }
 
 inline GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
@@ -183,9 +185,10 @@ inline float gabor_impl_transmitted_3d(float3 wave, GaborImplPixelAxes pixel) {
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-inline void gabor_impl_add_filtered_slice(thread float4& sum, thread float4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, float3 mixed,
-                                   float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+inline void gabor_impl_add_filtered_slice(thread float4& sum, thread float4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
+                                   float3 mixed, float moment) {
     float4 slice, slope;
     gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy);
@@ -194,14 +197,15 @@ inline void gabor_impl_add_filtered_slice(thread float4& sum, thread float4& slo
                 + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-inline GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborImplMatrix pixel, bool wanted, uint salt) {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+inline GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborImplMatrix pixel, bool wanted,
+                                           uint salt) {
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
     GaborImplAxis unused = x;
@@ -237,8 +241,8 @@ inline GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0, salt),
                                 (1.0 - wide) * amplitude, stretch);
     if (kept && wide > 0.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt), wide * amplitude,
-                                stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt),
+                                wide * amplitude, stretch);
     return sum;
 }
 
@@ -249,16 +253,16 @@ inline GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, 
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), sqrt(power),
-                                float3(1.0));
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+                                sqrt(power), float3(1.0));
     }
     return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
 struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;
@@ -275,10 +279,11 @@ inline GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, flo
     return GaborImplFilteredNode{node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded};
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-inline void gabor_impl_add_filtered_wave_3d(thread GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                     float4 wave, float moment, GaborImplMatrix pixel, uint word) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+inline void gabor_impl_add_filtered_wave_3d(thread GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                     GaborImplFilteredNode z, float4 wave, float moment, GaborImplMatrix pixel,
+                                     uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float3 middle = float3(x.middle, y.middle, z.middle), cosine = float3(x.cosine, y.cosine, z.cosine);
     float3 sine = float3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
@@ -290,7 +295,8 @@ inline void gabor_impl_add_filtered_wave_3d(thread GaborField3d& sum, GaborImplF
     h = middle + even * cosine;
     float3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
     float3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
-    float2 value = gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
+    float2 value =
+        gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     float3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     float3 faded = float3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
@@ -299,9 +305,9 @@ inline void gabor_impl_add_filtered_wave_3d(thread GaborField3d& sum, GaborImplF
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
 }
 
-inline void gabor_impl_add_filtered_waves_3d(thread GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y, GaborImplFilteredNode z,
-                                      float3 scale, float moment, GaborImplMatrix pixel, GaborImplTangents tangents, uint column,
-                                      uint4 row) {
+inline void gabor_impl_add_filtered_waves_3d(thread GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                      GaborImplFilteredNode z, float3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 unit = float4(scale, 1.0);
@@ -334,8 +340,8 @@ inline float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxe
     return mean * rsqrt(d.x * d.y);
 }
 
-inline GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency, GaborImplTangents tangents,
-                                           uint seed) {
+inline GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency,
+                                           GaborImplTangents tangents, uint seed) {
     float3 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, float3(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
@@ -345,13 +351,15 @@ inline GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx,
     GaborField3d field = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 1.0 - transmitted};
     if (transmitted == 0.0)
         return field;
-    GaborImplMatrix pixel = gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
+    GaborImplMatrix pixel =
+        gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
     float3 s = pixel.diagonal, scale = frequency / stretch;
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -364,7 +372,8 @@ inline GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx,
         gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
         gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
-    amplitude *= rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    amplitude *= rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
+               / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);
     return field;
 }

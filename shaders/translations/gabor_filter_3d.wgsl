@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 61795d5a81c17869.
+// naga 30.0.1 made it from GLSL with the digest e9333abde4ff7e5d.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -17,13 +17,13 @@
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
 //                                           vec3f direction, u32 seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, f32 frequency, u32 seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
-//                                                     u32 seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal,
+//                                                     f32 frequency, u32 seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -457,7 +457,8 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborImplPixelAxes) -> f32 
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
 fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, z: GaborImplAxis, mixed: vec3<f32>, moment: f32) {
     var slice_4: vec4<f32>;
     var slope_11: vec4<f32>;
@@ -481,8 +482,8 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<func
     return;
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
 fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
     var x_19: GaborImplAxis;
     var y_17: GaborImplAxis;
@@ -713,8 +714,8 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
 struct GaborImplFilteredNode {
     offset: f32, // offset of the point from the node
     middle: f32,
@@ -750,8 +751,8 @@ fn gabor_impl_filtered_node_3d(node: GaborImplNode, variance: f32) -> GaborImplF
     return GaborImplFilteredNode(node.offset, (0.5f * _e56), (_e58 * (node.value - 0.5f)), (_e63 * node.slope), _e66);
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode, y: GaborImplFilteredNode, z: GaborImplFilteredNode, wave: vec4<f32>, moment: f32, pixel: GaborImplMatrix, word: u32) {
     var a_9: vec2<f32>;
     var middle: vec3<f32>;

@@ -349,8 +349,8 @@ GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pal
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 float3 gabor_impl_times(float3 a, float3 b) {
@@ -452,9 +452,9 @@ float4 gabor_impl_radii(GaborImplPixel at, float2 density) {
     return float4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitude, uint seed, int index) {
     float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
@@ -463,9 +463,10 @@ GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitu
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel_of(at.position + amplitude * float2(field.quadrature, field.noise),
-                      at.by_x + at.by_x.x * along_x + at.by_x.y * along_y, at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -493,8 +494,8 @@ GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * float2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel_of(float2(dot(x, at.position), dot(y, at.position)), float2(dot(x, at.by_x), dot(y, at.by_x)),
-                      float2(dot(x, at.by_y), dot(y, at.by_y)), float2(dot(x, at.dx), dot(y, at.dx)),
-                      float2(dot(x, at.dy), dot(y, at.dy)), period);
+                          float2(dot(x, at.by_y), dot(y, at.by_y)), float2(dot(x, at.dx), dot(y, at.dx)),
+                          float2(dot(x, at.dy), dot(y, at.dy)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -540,16 +541,17 @@ GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, float2 densit
     return GaborImplLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_lobe_seed(seed, index));
 }
 
-GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 density, float frequency, float orientation, uint seed,
-                                  int index) {
-    return GaborImplLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
+GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 density, float frequency, float orientation,
+                                      uint seed, int index) {
+    return GaborImplLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                          gabor_lobe_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GaborImplLayer gabor_impl_octave(GaborImplPixel at, float2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
-    return GaborImplLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0), pow(gain, float(i)) * rsqrt(power),
-                      gabor_lobe_seed(seed, i));
+    return GaborImplLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0),
+                          pow(gain, float(i)) * rsqrt(power), gabor_lobe_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -603,13 +605,14 @@ GaborImplPairs gabor_impl_no_pairs() {
 GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, float3 lost) {
     float2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
     return GaborImplPair_of(float3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                     float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y));
+                         float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y));
 }
 
 GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
     return GaborImplPair_of(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost);
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost);
 }
 
 GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
@@ -663,13 +666,14 @@ GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint
     float4 value, slope;
     gabor_impl_windows(offset, value, slope);
     return GaborImplSpotsAxis_of(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, float2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, float2(1.0, 0.0)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, float2(fade.y, change.y)));
+                              gabor_impl_spots_node(value.x, slope.x, damped, float2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, float2(1.0, 0.0)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, float2(fade.y, change.y)));
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-void gabor_impl_add_spots_row(inout float4 sum, inout float2 along_y, GaborImplSpotsAxis x, uint word, float4 y, float coupling) {
+void gabor_impl_add_spots_row(inout float4 sum, inout float2 along_y, GaborImplSpotsAxis x, uint word, float4 y,
+                              float coupling) {
     float2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     float2 c = gabor_impl_amplitude(x.word.z * word);
     float4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -700,7 +704,7 @@ GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine_of(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          float3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              float3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -732,9 +736,9 @@ GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted, uint s
     float rho = s.z * rsqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x, salt, float2(1.0, 0.0));
+                                                            place.period.x, salt, float2(1.0, 0.0));
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
     GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -765,7 +769,8 @@ GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted, uint s
 
 GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt) {
     GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     float4 sum = (float4)(0.0);
     float2 along_y = (float2)(0.0);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -794,8 +799,9 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uin
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
 GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     float4 steps = gabor_impl_radii(layer.at, layer.density);
     float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
@@ -895,8 +901,8 @@ float3 gabor_impl_toned(float3 colour, float2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 float3 gabor_impl_rise(float3 phase, float3 span) {
     float3 ends = gabor_impl_ends_at(phase.x, span.x);
     float2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
@@ -962,7 +968,8 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
                 + 0.45 * deep.x * wood.late;
     float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
     float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
-    float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.pair_1.lost
+    float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+              + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
@@ -997,8 +1004,8 @@ float2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : (float2)(0.0);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 void gabor_impl_average(inout float3 height, inout float3 lost, int count, float kept, float mean, float3 square) {
     height = kept / float(count) * height + float3((1.0 - kept) * mean, 0.0, 0.0);
     lost = count > 1 ? lerp(square, lost / float(count), kept) - gabor_impl_square(height.yz) : (float3)(0.0);
@@ -1029,8 +1036,8 @@ float gabor_impl_over(float x, float y, float weave) {
     return frac(0.25 * (x + y) + 0.125) < 0.5 ? 1.0 : -1.0; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
     float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
@@ -1073,7 +1080,8 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric 
         height += top;
         lost += gabor_impl_square(top.yz);
     }
-    float3 mean = float3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    float3 mean =
+        float3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = float3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, float3(mean.z * count * count, 0.0));
     colour = lerp(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
@@ -1162,7 +1170,8 @@ GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fi
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
 GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
     float2 bends = float2(0.07, 0.014) * leather.wrinkles;
@@ -1171,7 +1180,8 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, uint seed) {
+GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
@@ -1380,14 +1390,16 @@ void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, 
 }
 
 GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
-    float3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    float3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
     float3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
     float threshold = 2.4 - 3.8 * metal.weathering;
     float3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
     float3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
     height += 0.003 * cover + 0.001 * of.pair_1.first;
-    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3) + 1.0e-6 * of.pair_1.lost;
+    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
+          + 1.0e-6 * of.pair_1.lost;
     return gabor_impl_material(lerp(colour, patina, cover.x), height, lost, lerp(metal.roughness, 0.85, cover.x),
                                1.0 - cover.x);
 }
@@ -1410,7 +1422,8 @@ GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushedMetal 
 GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (frac(0.0955 + 0.763932 * float(i)) - 0.5);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
@@ -1458,8 +1471,8 @@ float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint 
 }
 
 // Hair, tone and stripes.
-GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction, GaborZebra zebra,
-                                  uint seed) {
+GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, uint seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, (float2)(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, (float2)(zebra.stripes / 1.4), 1.4, direction, seed, 2);
@@ -1475,7 +1488,8 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
     float2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
     float3 colour = lerp(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness, 0.0);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0);
 }
 
 GaborMaterial gabor_zebra_at(float2 p, float2 period, GaborZebra zebra, uint seed) {
@@ -1522,8 +1536,8 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     float3 colour = lerp(lerp(gabor_impl_toned(bark.furrow, tone), moss, covered), lerp(top, moss, 0.6 * covered), plate.x);
     float3 coarse = float3(0.4, 0.0, 0.0) + 0.6 * plate;
     float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
     float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
     float deep = bark.depth + 0.0108 * of.pair_0.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
@@ -1557,7 +1571,8 @@ GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint se
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata, uint seed) {
+GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       uint seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
@@ -1576,7 +1591,8 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
                  0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
     colour = lerp(colour, gabor_impl_toned(0.75 * strata.red, tones),
                  0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
-    float3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first + 0.003 * of.pair_0.second;
+    float3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
+                + 0.003 * of.pair_0.second;
     float3 lost = 0.0004 * of.pair_1.lost + 3.6e-5 * of.pair_3.lost + 2.25e-6 * of.pair_4.lost + 9.0e-6 * of.pair_0.lost
               + 0.000144 * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5, 0.22);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,

@@ -200,8 +200,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_impl_times(gabor_vec3 a, gabor_vec3 b) {
@@ -291,9 +291,9 @@ GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborImplPixel at, gabor_vec2 density) 
     return gabor_vec4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
 GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
@@ -302,9 +302,10 @@ GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 densit
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel{at.position + amplitude * gabor_vec2(field.quadrature, field.noise),
-                      at.by_x + at.by_x.x * along_x + at.by_x.y * along_y, at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -332,8 +333,8 @@ GABOR_INLINE GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel{gabor_vec2(gabor_cpp_dot(x, at.position), gabor_cpp_dot(y, at.position)), gabor_vec2(gabor_cpp_dot(x, at.by_x), gabor_cpp_dot(y, at.by_x)),
-                      gabor_vec2(gabor_cpp_dot(x, at.by_y), gabor_cpp_dot(y, at.by_y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
-                      gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
+                          gabor_vec2(gabor_cpp_dot(x, at.by_y), gabor_cpp_dot(y, at.by_y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
+                          gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -367,16 +368,17 @@ GABOR_INLINE GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, 
     return GaborImplLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
 }
 
-GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
-                                  int index) {
-    return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_lobe_seed(seed, index)};
+GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, gabor_vec2 density, float frequency, float orientation,
+                                      std::uint32_t seed, int index) {
+    return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f,
+                          gabor_lobe_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GABOR_INLINE GaborImplLayer gabor_impl_octave(GaborImplPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
-    return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f), gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power),
-                      gabor_lobe_seed(seed, i)};
+    return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
+                          gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_lobe_seed(seed, i)};
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -409,13 +411,14 @@ GABOR_INLINE GaborImplPairs gabor_impl_no_pairs() {
 GABOR_INLINE GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, gabor_vec3 lost) {
     gabor_vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
     return GaborImplPair{gabor_vec3(field.quadrature, gabor_cpp_dot(field.quadrature_gradient, x), gabor_cpp_dot(field.quadrature_gradient, y)),
-                     gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y)};
+                         gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y)};
 }
 
 GABOR_INLINE GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
     return GaborImplPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost};
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost};
 }
 
 GABOR_INLINE GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
@@ -459,13 +462,14 @@ GABOR_INLINE GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int
     gabor_vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
     return GaborImplSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
+                              gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborImplSpotsAxis x, std::uint32_t word, gabor_vec4 y, float coupling) {
+GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborImplSpotsAxis x, std::uint32_t word, gabor_vec4 y,
+                              float coupling) {
     gabor_vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
     gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -487,7 +491,7 @@ GABOR_INLINE GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, i
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -510,9 +514,9 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
     float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
     float mixed = 78.956835f * s.z * r / (1.0f + r);
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
-                                                        place.period.x, salt, gabor_vec2(1.0f, 0.0f));
+                                                            place.period.x, salt, gabor_vec2(1.0f, 0.0f));
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
     GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -543,7 +547,8 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
 
 GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, std::uint32_t salt) {
     GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     gabor_vec4 sum = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -572,8 +577,9 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
 GABOR_INLINE GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
     gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
@@ -673,8 +679,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     return gabor_cpp_min(mean, 1.0f);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
     gabor_vec3 ends = gabor_impl_ends_at(phase.x, span.x);
     gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns, integral = 0.33333333f * (turns + t * t * t);
@@ -740,7 +746,8 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood,
                 + 0.45f * deep.x * wood.late;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.pair_1.second;
     float depth = 5.76e-6f * wood.pores * wood.pores * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
-    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz()) + 4.0e-8f * of.pair_1.lost
+    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz())
+              + 4.0e-8f * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1f, 0.25f);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
 }
@@ -775,8 +782,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566f + 0.507f * at * at) : gabor_vec2(0.0f);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int count, float kept, float mean, gabor_vec3 square) {
     height = kept / float(count) * height + gabor_vec3((1.0f - kept) * mean, 0.0f, 0.0f);
     lost = count > 1 ? gabor_cpp_mix(square, lost / float(count), kept) - gabor_impl_square(height.yz()) : gabor_vec3(0.0f);
@@ -807,8 +814,8 @@ GABOR_INLINE float gabor_impl_over(float x, float y, float weave) {
     return gabor_cpp_fract(0.25f * (x + y) + 0.125f) < 0.5f ? 1.0f : -1.0f; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2f * across.x * across.x;
     float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = level ? 0.0f : 3.1415927f * along.x;
@@ -851,7 +858,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
         height += top;
         lost += gabor_impl_square(top.yz());
     }
-    gabor_vec3 mean = gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
+    gabor_vec3 mean =
+        gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
     if (fabric.weave >= 0.5f) mean = gabor_vec3(0.91f - uneven * (0.0105f + 0.0045f * uneven), 0.0655f, 0.37f);
     gabor_impl_average(height, lost, samples, kept, mean.y, gabor_vec3(mean.z * count * count, 0.0f));
     colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), kept);
@@ -940,7 +948,8 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
 GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
@@ -949,7 +958,8 @@ GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather l
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
@@ -1158,14 +1168,16 @@ GABOR_INLINE void gabor_impl_add_metal(GaborImplPairs& of, int i, GaborImplLayer
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
-    gabor_vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    gabor_vec3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
     gabor_vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
     float threshold = 2.4f - 3.8f * metal.weathering;
     gabor_vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3f);
     gabor_vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3f));
     height += 0.003f * cover + 0.001f * of.pair_1.first;
-    lost += 9.0e-6f * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3f) + 1.0e-6f * of.pair_1.lost;
+    lost += 9.0e-6f * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3f)
+          + 1.0e-6f * of.pair_1.lost;
     return gabor_impl_material(gabor_cpp_mix(colour, patina, cover.x), height, lost, gabor_cpp_mix(metal.roughness, 0.85f, cover.x),
                                1.0f - cover.x);
 }
@@ -1188,7 +1200,8 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
@@ -1236,8 +1249,8 @@ GABOR_INLINE float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra
 }
 
 // Hair, tone and stripes.
-GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction, GaborZebra zebra,
-                                  std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, std::uint32_t seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, gabor_vec2(1.2f), seed, 4);
     return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
@@ -1253,7 +1266,8 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of)
     gabor_vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14f * zebra.hair)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness, 0.0f);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
@@ -1300,8 +1314,8 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.pair_0.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
     float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239f).x;
     float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
     float deep = bark.depth + 0.0108f * of.pair_0.first.x, coarses = 0.16f + 0.48f * plate.x + 0.36f * wholes * rises;
@@ -1335,7 +1349,8 @@ GABOR_INLINE GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata st
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       std::uint32_t seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
@@ -1354,7 +1369,8 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs 
                  0.75f * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0f, 0.2f).x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.red, tones),
                  0.6f * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3f, 0.15f).x);
-    gabor_vec3 height = 0.02f * of.pair_1.second - 0.012f * soft + 0.006f * of.pair_3.first + 0.0015f * of.pair_4.first + 0.003f * of.pair_0.second;
+    gabor_vec3 height = 0.02f * of.pair_1.second - 0.012f * soft + 0.006f * of.pair_3.first + 0.0015f * of.pair_4.first
+                + 0.003f * of.pair_0.second;
     gabor_vec3 lost = 0.0004f * of.pair_1.lost + 3.6e-5f * of.pair_3.lost + 2.25e-6f * of.pair_4.lost + 9.0e-6f * of.pair_0.lost
               + 0.000144f * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5f, 0.22f);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c3e3e936ebed875a.
+// naga 30.0.1 made it from GLSL with the digest 034a21d79487db42.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -190,8 +190,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 fn gabor_impl_times(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
@@ -394,9 +394,9 @@ fn gabor_impl_radii(at: GaborImplPixel, density: vec2<f32>) -> vec4<f32> {
     return vec4<f32>(_e3.x, _e3.y, _e5.x, _e5.y);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
 fn gabor_impl_warp(at: GaborImplPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborImplPixel {
     var amplitude_5: vec2<f32>;
     var steps: vec4<f32>;
@@ -1131,8 +1131,9 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
     return _e82;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
 fn gabor_impl_filtered_pair(layer: GaborImplLayer, field: GaborField) -> GaborImplPair {
     var steps_1: vec4<f32>;
     var a_12: vec3<f32>;
@@ -1415,8 +1416,8 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     return min(_e66, vec3(1f));
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var ends_3: vec3<f32>;
     var turns_3: vec2<f32>;
@@ -1723,8 +1724,8 @@ fn gabor_impl_sample(i: i32, count: i32) -> vec2<f32> {
     return _e32;
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3<f32>>, count: i32, kept: f32, mean: f32, square: vec3<f32>) {
     var local_39: vec3<f32>;
     let _e8 = (*height);
@@ -1829,8 +1830,8 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
     return _e44;
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32, level: bool) -> vec3<f32> {
     var square_4: f32;
     var side_2: f32;
@@ -2465,7 +2466,8 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
 fn gabor_impl_skin(pixel: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplPixel {
     var bends_1: vec2<f32>;

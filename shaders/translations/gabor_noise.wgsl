@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 674630d7acdd20ec.
+// naga 30.0.1 made it from GLSL with the digest 662342ef08f6a4a6.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -94,7 +94,8 @@ struct GaborPlace {
 // vec2f gabor_wave_vector(f32 frequency, f32 orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// nothing.
 struct GaborField {
     noise: f32,
     gradient: vec2<f32>,
@@ -430,9 +431,9 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return _e147;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
+// take FXC four times as long through ANGLE.
 fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second_1: u32;

@@ -1,7 +1,7 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default.
 //
@@ -56,8 +56,8 @@ GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period
 // GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     float noise;
     float3 gradient;
@@ -141,14 +141,17 @@ void gabor_impl_add_field_3d(inout GaborField3d sum, GaborField3d field, float a
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, out float4 sum, out float4 slope) {
+void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, out float4 sum,
+                          out float4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_impl_sum(x, y, moment, sum, slope);
@@ -156,7 +159,8 @@ void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment) {
+void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
+                          float moment) {
     float4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
@@ -181,9 +185,9 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
     gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
@@ -199,8 +203,8 @@ float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
     return gabor_field_3d(gabor_place_3d_at(p), abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
 struct GaborImplSurface {
     float3 direction;
     float3 other;
@@ -296,8 +300,8 @@ GaborImplStar3d GaborImplStar3d_of(float4 first, float4 second, float4 third)
 }
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
 GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, float3 d, uint word) {
     float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     float3 first = turn.x * tangents.along + turn.y * tangents.across;
@@ -314,8 +318,8 @@ GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, float3 d, uint wo
     return GaborImplStar3d_of(u, v, w);
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float moment, uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float2 value = window.w * a;
@@ -350,10 +354,10 @@ uint gabor_impl_node_word(GaborImplAxis axis, int i) {
     return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, float3 scale, float moment,
-                                  GaborImplTangents tangents, uint column, uint4 row) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, float3 scale,
+                                  float moment, GaborImplTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 window = float4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
@@ -368,17 +372,21 @@ void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, Gabor
 GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     float3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
         GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     float amplitude = rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)

@@ -1,8 +1,8 @@
 // clang-format off
 // Generated from gabor_noise_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default.
 //
@@ -48,8 +48,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;
@@ -122,14 +122,17 @@ GABOR_INLINE void gabor_impl_add_field_3d(GaborField3d& sum, GaborField3d field,
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, gabor_vec4& sum,
+                          gabor_vec4& slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_impl_sum(x, y, moment, sum, slope);
@@ -137,7 +140,8 @@ GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborIm
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment) {
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
+                          float moment) {
     gabor_vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
@@ -162,9 +166,9 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, st
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
     gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
@@ -180,8 +184,8 @@ GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 dire
     return gabor_field_3d(gabor_place_3d_at(p), gabor_cpp_abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
 struct GaborImplSurface {
     gabor_vec3 direction;
     gabor_vec3 other;
@@ -250,8 +254,8 @@ struct GaborImplStar3d {
 };
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
 GABOR_INLINE GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, gabor_vec3 d, std::uint32_t word) {
     gabor_vec2 turn = gabor_impl_half_turn(1.1641532e-10f * float(int(word)));
     gabor_vec3 first = turn.x * tangents.along + turn.y * tangents.across;
@@ -268,8 +272,8 @@ GABOR_INLINE GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, gabo
     return GaborImplStar3d{u, v, w};
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float moment, std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec2 value = window.w * a;
@@ -295,10 +299,10 @@ GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborImplAxis axis, int i) {
     return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, gabor_vec3 scale, float moment,
-                                  GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, gabor_vec3 scale,
+                                  float moment, GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 window = gabor_vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
@@ -313,17 +317,21 @@ GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborImplNode 
 GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                  GABOR_RADIUS);
+                                      GABOR_RADIUS);
     gabor_vec3 stretch = place.radius / GABOR_RADIUS, scale = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) / stretch;
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = 0; i < 9; ++i) {
         GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     float amplitude = gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)

@@ -1,9 +1,9 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b0b4952438d43494.
+// naga 30.0.1 made it from GLSL with the digest f203866f67b58bae.
 // Paste it after gabor_noise.wgsl.
 //
-// gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default.
 //
@@ -39,8 +39,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(vec3f p, vec3f period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     noise: f32,
     gradient: vec3<f32>,
@@ -310,8 +310,8 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
     return _e8.noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
 struct GaborImplSurface {
     direction: vec3<f32>,
     other: vec3<f32>,
@@ -486,8 +486,8 @@ struct GaborImplStar3d {
 }
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
 fn gabor_impl_star_3d(tangents: GaborImplTangents, d: vec3<f32>, word: u32) -> GaborImplStar3d {
     var turn_9: vec2<f32>;
     var first_1: vec3<f32>;
@@ -553,8 +553,8 @@ fn gabor_impl_star_3d(tangents: GaborImplTangents, d: vec3<f32>, word: u32) -> G
     return GaborImplStar3d(_e112, _e113, _e114);
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, wave: vec4<f32>, moment: f32, word: u32) {
     var a_2: vec2<f32>;
     var value_5: vec2<f32>;
@@ -628,8 +628,8 @@ fn gabor_impl_node_word(axis: GaborImplAxis, i: i32) -> u32 {
     return _e18;
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
 fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplNode, y: GaborImplNode, z: GaborImplNode, scale: vec3<f32>, moment: f32, tangents: GaborImplTangents, column: u32, row: vec4<u32>) {
     var d_1: vec3<f32>;
     var star: GaborImplStar3d;

@@ -1,8 +1,8 @@
 // clang-format off
 // Generated from gabor_sparse.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point.
+// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
+// every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -202,7 +202,7 @@ GABOR_INLINE GaborImplImpulse gabor_impl_impulse(std::uint32_t word) {
                                   gabor_cpp_uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
     float rate = float((word >> 8u) & 7u) - 4.0f;
     return GaborImplImpulse{position_plus_one, gabor_cpp_fract(position_plus_one.y * (8388608.0f / float(GABOR_PHASES))),
-                        rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
+                            rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
 }
 
 // sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
@@ -235,8 +235,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the integral of
-// q^2.
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the
+// integral of q^2.
 struct GaborImplEnergy {
     gabor_vec4 e4567;
     float e8;

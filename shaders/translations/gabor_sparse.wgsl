@@ -1,8 +1,8 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 2be8448acd49e2d6.
+// naga 30.0.1 made it from GLSL with the digest e1645468a39a144b.
 //
-// gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point.
+// gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
+// every point.
 //
 //     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     f32 v = gabor_unorm(n);                    // in [0, 1], for display
@@ -296,8 +296,8 @@ fn gabor_impl_direction(angle: f32) -> vec2<f32> {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the integral of
-// q^2.
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the
+// integral of q^2.
 struct GaborImplEnergy {
     e4567_: vec4<f32>,
     e8_: f32,
