@@ -5,14 +5,14 @@
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
-//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     GaborMaterial m = gabor_wood_filtered(board.position, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
 //     GaborMaterial sand = gabor_sand_filtered(p, dFdx(p), dFdy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
-//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.position, then gabor_laid
 //     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
@@ -28,7 +28,7 @@
 #error Include gabor_noise.glsl, gabor_spectrum.glsl and gabor_materials.glsl before gabor_compose.glsl
 #endif
 #ifndef GABOR_COMPOSE_GLSL
-#define GABOR_COMPOSE_GLSL
+#define GABOR_COMPOSE_GLSL 1
 
 // ---- Boards --------------------------------------------------------------------------------------------------------
 
@@ -46,7 +46,7 @@ struct GaborBoards {
 
 // The board at a point.
 struct GaborBoard {
-    vec2 p;     // where to evaluate its material
+    vec2 position;     // where to evaluate its material
     vec2 dx;    // the pixel there, for a filtered material
     vec2 dy;
     uint seed;  // the board's own seed for its material
@@ -64,8 +64,8 @@ struct GaborBoard {
 //     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
-//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
-//     the slopes of joints, which are too few and too steep to widen a highlight.
+//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost`
+//     leaves out the slopes of joints, which are too few and too steep to widen a highlight.
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
@@ -163,4 +163,4 @@ GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
     return gabor_impl_outer(coat, core, softness, -1.0);
 }
 
-#endif // GABOR_COMPOSE_GLSL
+#endif

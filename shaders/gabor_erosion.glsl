@@ -15,7 +15,7 @@
 #error Include gabor_noise.glsl before gabor_erosion.glsl
 #endif
 #ifndef GABOR_EROSION_GLSL
-#define GABOR_EROSION_GLSL
+#define GABOR_EROSION_GLSL 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -27,17 +27,17 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-                           // equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-                           // rms slope of a map leaves its valleys open
-    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
-                           // even stripes
+    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+                           // for equal slopes
+    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+                           // the rms slope of a map leaves its valleys open
+    float detail;          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
+                           // for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -52,16 +52,16 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
-//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
-//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
-//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
-//     draw it as a heightmap first, which has its curvature in nine texels.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
+//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
+//     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
+//     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
 // vec4 gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
-//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
-//     those of gabor_terrain.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
+//     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
+//     -1 to 1, as those of gabor_terrain.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2(0), p, vec2(0.0)) for a point
     ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
@@ -116,12 +116,12 @@ uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
     int first = gabor_impl_wrap(index - 1, period);
     int second = gabor_impl_next_node(first, period);
     int third = gabor_impl_next_node(second, period);
-    return uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt), gabor_impl_line_word(third, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
+    return uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     vec2 value;
     vec2 slope_x;
     vec2 slope_y;
@@ -132,7 +132,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-void gabor_impl_add_hill_row(inout GaborHills sum, uvec4 words, vec4 x, vec4 slope_x, vec4 curvature_x, vec3 y) {
+void gabor_impl_add_hill_row(inout GaborImplHills sum, uvec4 words, vec4 x, vec4 slope_x, vec4 curvature_x, vec3 y) {
     vec4 a = vec4(ivec4(words)), b = vec4(ivec4(words << 16u));
     vec2 row = vec2(dot(x, a), dot(x, b)), along_x = vec2(dot(slope_x, a), dot(slope_x, b));
     sum.value += y.x * row;
@@ -157,7 +157,7 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     uint salt = gabor_impl_salt(seed);
     uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborImplHills hills = GaborImplHills(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, vec3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, vec3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, vec3(y.z, slope_y.z, curvature_y.z));
@@ -168,23 +168,26 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     float unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
     vec2 noise = unit * hills.value, wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
     float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
-    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b; by ab and bb:
+    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
+    // by ab and bb:
     vec2 first = 0.33 * unit * vec2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
     vec2 second = 0.33 * unit * unit * vec2(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     vec2 along_x = hills.slope_x, along_y = hills.slope_y;
     vec2 slope = place.radius * vec2(dot(first, along_x), dot(first, along_y));
-    vec3 curvature = vec3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
-                          dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
-                              + second.y * along_x.y * along_y.y,
-                          dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
+    vec3 curvature =
+        vec3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
+               dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                   + second.y * along_x.y * along_y.y,
+               dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
     float to_ridge = inversesqrt(1.0 + height * height);
-    return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope);
+    return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,
+                        to_ridge * to_ridge * to_ridge / 0.33 * slope);
 }
 
-// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
-// direction.
-struct GaborBentField {
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
+// a direction.
+struct GaborImplBentField {
     vec2 value;
     vec2 along_x;
     vec2 along_y;
@@ -192,7 +195,8 @@ struct GaborBentField {
 };
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 places, GaborAxis x, GaborAxis y, int j) {
+void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 places, GaborImplAxis x, GaborImplAxis y,
+                             int j) {
     vec4 before = vec4(0.0), row = vec4(0.0), after = vec4(0.0);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -213,11 +217,11 @@ void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 plac
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-GaborBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction, uint seed) {
+GaborImplBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     vec4 sum = vec4(0.0), places = vec4(0.0);
     vec2 along_y = vec2(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -231,12 +235,12 @@ GaborBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction
     vec2 nodes = direction.x * places.xy + direction.y * places.zw;
     vec2 bent = dot(direction, vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField(value, vec2(field.quadrature_gradient.x, field.gradient.x),
-                          vec2(field.quadrature_gradient.y, field.gradient.y), vec2(-bent.y, bent.x));
+    return GaborImplBentField(value, vec2(field.quadrature_gradient.x, field.gradient.x),
+                              vec2(field.quadrature_gradient.y, field.gradient.y), vec2(-bent.y, bent.x));
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
-// by the rounding.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
+// and by the rounding.
 vec3 gabor_impl_mask(float t, float rounding) {
     float part = t < rounding ? t / rounding : 1.0; // how far t is into the rounded start
     float s = max(1.0 - part * (t - 0.5 * part * rounding), 0.0), slope = s * part;
@@ -252,12 +256,14 @@ vec3 gabor_impl_mask(float t, float rounding) {
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2(by x, by y).
 // A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
-GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+                             uint seed) {
     vec2 steer = base.slope, steer_x = base.curvature.xy, steer_y = base.curvature.yz;
     float gully = base.ridge, ridge = base.ridge, sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
     vec2 gully_slope = base.ridge_slope, sum_slope = vec2(0.0);
     float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
-    float mask = 1.0, open = 1.0, rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
+    float mask = 1.0, open = 1.0;
+    float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     vec2 mask_slope = vec2(0.0), open_slope = vec2(0.0);
     float rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding), peak = clamp(base.ridge, 0.0, 1.0);
     vec2 rounding_slope = rounded * base.ridge_slope;
@@ -274,14 +280,15 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
             open_slope = (1.0 - peak * peak) * mask_slope + (1.0 - mask) * 2.0 * peak * base.ridge_slope;
         }
         vec2 wave = frequency * across;
-        vec2 bend = frequency / steep * vec2(dot(across, steer_x), dot(across, steer_y)); // the wave changes by -down * bend
+        // The wave changes by -down * bend.
+        vec2 bend = frequency / steep * vec2(dot(across, steer_x), dot(across, steer_y));
         vec2 steps = vec2(dot(wave, dx), dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
         float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0);
         vec2 z = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0), kept_slope = vec2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = inversesqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -298,7 +305,8 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         ridge = mix(ridge, z.x, mask);
         sum += depth * gully;
         sum_slope += depth * gully_slope;
-        float side = z.y < 0.0 ? -1.0 : 1.0, turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
+        float side = z.y < 0.0 ? -1.0 : 1.0;
+        float turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
         float turn = turns * kept * mask;
         vec2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;
@@ -308,7 +316,8 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         rounding_slope = rounded * vec2(z_x.x, z_y.x);
         vec3 edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
-        vec2 edge_slope = edge.y * side * vec2(z_x.y, z_y.y) - 0.5 * edge.y * kept_slope + edge.z * wide * rounding_slope;
+        vec2 edge_slope =
+            edge.y * side * vec2(z_x.y, z_y.y) - 0.5 * edge.y * kept_slope + edge.z * wide * rounding_slope;
         float reach = 1.0 / (1.0 + mask * (erosion.detail - 1.0));
         mask_slope = erosion.detail * reach * (reach * edge.x * mask_slope + mask * edge_slope);
         mask *= erosion.detail * reach * edge.x;
@@ -340,4 +349,4 @@ vec4 gabor_ground(GaborTerrain terrain) {
     return vec4((1.0 - snow) * vec3((1.0 - rock) * vec2(1.0 - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_GLSL
+#endif

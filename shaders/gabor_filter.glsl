@@ -1,7 +1,7 @@
 // gabor_filter.glsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.glsl, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.glsl, if
+// you filter its noises.
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -16,8 +16,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -28,7 +28,7 @@
 #error gabor_filter.glsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_FILTER_GLSL
-#define GABOR_FILTER_GLSL
+#define GABOR_FILTER_GLSL 1
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed).
@@ -45,9 +45,9 @@
 
 #ifdef GABOR_SPECTRUM_GLSL
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, float frequency, uint seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -97,17 +97,17 @@ float gabor_impl_transmitted(vec2 wave, vec3 covariance) {
 }
 
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
-struct GaborFootprint {
+struct GaborImplFootprint {
     vec3 covariance;
     vec3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 
-GaborFootprint gabor_impl_footprint(vec2 dx, vec2 dy) {
+GaborImplFootprint gabor_impl_footprint(vec2 dx, vec2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
         dx = vec2(1.0e5, 0.0);
         dy = vec2(0.0, 1.0e5);
     }
-    GaborFootprint footprint;
+    GaborImplFootprint footprint;
     footprint.covariance = 0.25 * vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
     // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
@@ -143,7 +143,7 @@ vec4 gabor_impl_filtered_derivative(vec4 node, float faded, vec2 phase) {
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out GaborAxis derivative) {
+void gabor_impl_filter(inout GaborImplAxis axis, float variance, float blurred, out GaborImplAxis derivative) {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
@@ -164,7 +164,7 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out 
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
+vec2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float moment) {
     vec4 sum, slope;
     gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy + coupling * slope.zw;
@@ -173,12 +173,12 @@ vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, f
 // The filtered noise at `place`, with three waves along each axis.
 GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint salt) {
     vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                     GABOR_RADIUS);
+    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                         GABOR_RADIUS);
     vec2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
+    GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -188,7 +188,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
-struct GaborFactors {
+struct GaborImplFactors {
     vec3 real;
     vec3 imaginary;
 };
@@ -196,7 +196,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborFilteredAxis {
+struct GaborImplFilteredAxis {
     vec3 even_0;
     vec3 even_1;
     vec3 even_2;
@@ -216,8 +216,9 @@ struct GaborFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, vec2 step) {
-    GaborFilteredAxis b;
+GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period,
+                                               uint salt, vec2 step) {
+    GaborImplFilteredAxis b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
     float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
@@ -256,56 +257,56 @@ GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, in
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborFilteredLine {
+struct GaborImplFilteredLine {
     uint word;
-    GaborFactors window;
+    GaborImplFactors window;
     vec2 fade;  // factor of the window, and its derivative
     vec2 turn;  // e^(2 pi i d / 2w)
     vec2 phase; // the same for the noise's wave
 };
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+vec2 gabor_impl_fade(GaborImplFilteredAxis b, int index) {
     float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
     return t * vec2(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
-GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, vec2 turn, vec2 phase, vec2 fade) {
-    GaborFilteredLine line;
+GaborImplFilteredLine gabor_impl_filtered_line(GaborImplFilteredAxis b, int index, vec2 turn, vec2 phase, vec2 fade) {
+    GaborImplFilteredLine line;
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
     vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     line.fade = fade;
-    line.window = GaborFactors(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
+    line.window = GaborImplFactors(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
     return line;
 }
 
 // Computes line `index` from the previous one.
-GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, vec2 fade) {
+GaborImplFilteredLine gabor_impl_next_line(GaborImplFilteredLine line, GaborImplFilteredAxis b, int index, vec2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
                                     gabor_impl_product(line.phase, b.back), fade);
 }
 
 // The line's window with its fade.
-GaborFactors gabor_impl_faded(GaborFilteredLine line) {
-    return GaborFactors(line.fade.x * line.window.real, line.fade.x * line.window.imaginary);
+GaborImplFactors gabor_impl_faded(GaborImplFilteredLine line) {
+    return GaborImplFactors(line.fade.x * line.window.real, line.fade.x * line.window.imaginary);
 }
 
 // The four or five columns of nodes that reach a point.
-struct GaborColumns {
-    GaborFilteredLine column_0;
-    GaborFilteredLine column_1;
-    GaborFilteredLine column_2;
-    GaborFilteredLine column_3;
-    GaborFilteredLine column_4;
+struct GaborImplColumns {
+    GaborImplFilteredLine column_0;
+    GaborImplFilteredLine column_1;
+    GaborImplFilteredLine column_2;
+    GaborImplFilteredLine column_3;
+    GaborImplFilteredLine column_4;
     bool five;
 };
 
-GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
-    GaborColumns columns;
+GaborImplColumns gabor_impl_columns(GaborImplFilteredAxis b) {
+    GaborImplColumns columns;
     vec2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, vec2(1.0, 0.0), gabor_impl_fade(b, 0));
@@ -318,30 +319,31 @@ GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, vec2 phase) {
-    GaborFilteredLine line;
+GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis b, vec2 phase) {
+    GaborImplFilteredLine line;
     line.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));
     line.phase = phase;
     return line;
 }
 
 // Returns the sum plus a complex number times the factors.
-GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
-    return GaborFactors(sum.real + (real * factors.real - imaginary * factors.imaginary),
-                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
+GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors factors, float real, float imaginary) {
+    return GaborImplFactors(sum.real + (real * factors.real - imaginary * factors.imaginary),
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-void gabor_impl_add_filtered_node(inout GaborFactors row, inout GaborFactors edge, GaborFilteredLine column, uint row_word,
-                                  float moment) {
+void gabor_impl_add_filtered_node(inout GaborImplFactors row, inout GaborImplFactors edge, GaborImplFilteredLine column,
+                                  uint row_word, float moment) {
     vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float moment, out GaborFactors edge) {
-    GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0)), none = row;
+GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float moment,
+                                         out GaborImplFactors edge) {
+    GaborImplFactors row = GaborImplFactors(vec3(0.0), vec3(0.0)), none = row;
     edge = row;
     gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
     gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
@@ -352,12 +354,12 @@ GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float 
 }
 
 // Drops the first factor and moves the others up by one.
-GaborFactors gabor_impl_next(GaborFactors f) {
-    return GaborFactors(vec3(f.real.yz, 0.0), vec3(f.imaginary.yz, 0.0));
+GaborImplFactors gabor_impl_next(GaborImplFactors f) {
+    return GaborImplFactors(vec3(f.real.yz, 0.0), vec3(f.imaginary.yz, 0.0));
 }
 
 // The weighted sum of the products of two axes' factors.
-vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, vec3 weights) {
+vec2 gabor_impl_contracted(GaborImplFactors a, GaborImplFactors b, vec3 weights) {
     return vec2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
@@ -375,21 +377,21 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     vec3 weights = vec3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
-                                       step_x);
-    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
-                                      salt ^ GABOR_IMPL_ROWS, step_y);
-    GaborColumns columns = gabor_impl_columns(across);
-    GaborFilteredLine line = gabor_impl_line_before(
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborImplColumns columns = gabor_impl_columns(across);
+    GaborImplFilteredLine line = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, vec2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), edge_x = vec2(0.0), edge_y = vec2(0.0);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors(vec3(0.0), vec3(0.0)); // DXC warns of structs that only a call sets
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.moment, edge);
-        GaborFactors window = gabor_impl_faded(line);
+        GaborImplFactors edge = GaborImplFactors(vec3(0.0), vec3(0.0)); // DXC warns of structs that only a call sets
+        GaborImplFactors row = gabor_impl_filtered_row(columns, line.word, place.moment, edge);
+        GaborImplFactors window = gabor_impl_faded(line);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
@@ -409,12 +411,12 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
-float gabor_impl_wide_share(GaborFootprint footprint) {
+float gabor_impl_wide_share(GaborImplFootprint footprint) {
     return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
 
 // Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
-GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float wide, vec2 wave, uint seed) {
+GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, float wide, vec2 wave, uint seed) {
     vec2 stretch = place.radius / GABOR_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -438,7 +440,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float
 
 GaborField gabor_field_filtered(GaborPlace place, vec2 dx, vec2 dy, vec2 wave, uint seed) {
     vec2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
 
@@ -481,16 +483,16 @@ float gabor_impl_transmitted_isotropic_2d(float frequency, vec3 covariance) {
 }
 
 // A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
-struct GaborWindows {
+struct GaborImplWindows {
     vec2 middle;
     vec2 cosine;
     vec2 sine;
 };
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
-void gabor_impl_add_filtered_wave(inout GaborField sum, GaborWindows node, vec2 faded, vec3 s, vec2 a, vec2 wave) {
+void gabor_impl_add_filtered_wave(inout GaborField sum, GaborImplWindows node, vec2 faded, vec3 s, vec2 a, vec2 wave) {
     vec2 x = 19.739209 * gabor_impl_symmetric(s, wave);
     a *= exp(-max(dot(wave, x), 0.0));
     x = clamp(x, -3.0, 3.0); // changes no wave that the filter keeps
@@ -522,22 +524,25 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, fl
     s *= 0.04 / max(0.5 * (s.x + s.y + length(vec2(s.x - s.y, 2.0 * s.z))), 0.04);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
-    vec2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    vec2 stretch = place.radius / GABOR_RADIUS;
+    vec2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= vec3(stretch * stretch, stretch.x * stretch.y);
     vec2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             vec2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             vec2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             vec2 cosine = fall * (vec2(x.node[i].x, y.node[j].x) - 0.5);
-            GaborWindows node = GaborWindows(0.5 * fade, fade * cosine, fade * fall * vec2(x.node[i].z, y.node[j].z));
+            GaborImplWindows node =
+                GaborImplWindows(0.5 * fade, fade * cosine, fade * fall * vec2(x.node[i].z, y.node[j].z));
             vec2 faded = change / max(fade, 1.0e-6); // derivative of the logarithm of the fade
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);
@@ -547,6 +552,6 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, fl
     gabor_impl_add_field(field, sum, amplitude, stretch);
     return field;
 }
-#endif // GABOR_SPECTRUM_GLSL
+#endif
 
-#endif // GABOR_FILTER_GLSL
+#endif

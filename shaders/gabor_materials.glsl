@@ -28,7 +28,7 @@
 #error gabor_materials.glsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_MATERIALS_GLSL
-#define GABOR_MATERIALS_GLSL
+#define GABOR_MATERIALS_GLSL 1
 
 struct GaborMaterial {
     vec3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
@@ -195,8 +195,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 vec3 gabor_impl_times(vec3 a, vec3 b) {
@@ -218,33 +218,33 @@ vec3 gabor_impl_turned_square(vec3 m, vec2 x, vec2 y) {
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
 // filter, and the period, 0 for none. Warps move it and bend the steps.
-struct GaborPixel {
-    vec2 p;
-    vec2 x;
-    vec2 y;
+struct GaborImplPixel {
+    vec2 position;
+    vec2 by_x;
+    vec2 by_y;
     vec2 dx;
     vec2 dy;
     vec2 period;
 };
 
-GaborPixel gabor_impl_pixel_at(vec2 p, vec2 dx, vec2 dy, vec2 period) {
+GaborImplPixel gabor_impl_pixel_at(vec2 p, vec2 dx, vec2 dy, vec2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : vec2(0.0);
-    return GaborPixel(p, vec2(1.0, 0.0), vec2(0.0, 1.0), dx, dy, period);
+    return GaborImplPixel(p, vec2(1.0, 0.0), vec2(0.0, 1.0), dx, dy, period);
 }
 
 // A position along the warped x or y axis, with derivatives.
-vec3 gabor_impl_along_x(GaborPixel at) {
-    return vec3(at.p.x, at.x.x, at.y.x);
+vec3 gabor_impl_along_x(GaborImplPixel at) {
+    return vec3(at.position.x, at.by_x.x, at.by_y.x);
 }
-vec3 gabor_impl_along_y(GaborPixel at) {
-    return vec3(at.p.y, at.x.y, at.y.y);
+vec3 gabor_impl_along_y(GaborImplPixel at) {
+    return vec3(at.position.y, at.by_x.y, at.by_y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-GaborPlace gabor_impl_place(GaborPixel at, vec2 density) {
+GaborPlace gabor_impl_place(GaborImplPixel at, vec2 density) {
     if (at.period.x > 0.0)
-        return gabor_place_tiled(density * at.p, density * at.period);
-    return gabor_place_at(density * at.p);
+        return gabor_place_tiled(density * at.position, density * at.period);
+    return gabor_place_at(density * at.position);
 }
 
 uvec3 gabor_impl_three_line_words(int index, int period, uint salt) {
@@ -282,31 +282,32 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
-vec4 gabor_impl_radii(GaborPixel at, vec2 density) {
+vec4 gabor_impl_radii(GaborImplPixel at, vec2 density) {
     return vec4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
-GaborPixel gabor_impl_warp(GaborPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
+GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
-    return GaborPixel(at.p + amplitude * vec2(field.quadrature, field.noise),
-                      at.x + at.x.x * along_x + at.x.y * along_y, at.y + at.y.x * along_x + at.y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
+    return GaborImplPixel(at.position + amplitude * vec2(field.quadrature, field.noise),
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
+GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
     vec2 turn = gabor_impl_wave(0.15915494 * angle);
     vec2 x = turn;
     vec2 y = vec2(-turn.y, turn.x);
@@ -326,21 +327,21 @@ GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
         x = period.x * vec2(other.y, -other.x) / at.period;
         y = period.y * vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborPixel(vec2(dot(x, at.p), dot(y, at.p)), vec2(dot(x, at.x), dot(y, at.x)),
-                      vec2(dot(x, at.y), dot(y, at.y)), vec2(dot(x, at.dx), dot(y, at.dx)),
-                      vec2(dot(x, at.dy), dot(y, at.dy)), period);
+    return GaborImplPixel(vec2(dot(x, at.position), dot(y, at.position)), vec2(dot(x, at.by_x), dot(y, at.by_x)),
+                          vec2(dot(x, at.by_y), dot(y, at.by_y)), vec2(dot(x, at.dx), dot(y, at.dx)),
+                          vec2(dot(x, at.dy), dot(y, at.dy)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
 // multiple of `whole` repetitions.
-vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
+vec2 gabor_impl_repeated(GaborImplPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0)
         return max(floor(pixel.period * (count / whole) + 0.5), vec2(1.0)) * whole / pixel.period;
     return vec2(count);
 }
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
-float gabor_impl_sine_kept(GaborPixel at, float count) {
+float gabor_impl_sine_kept(GaborImplPixel at, float count) {
     return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
 }
 
@@ -348,9 +349,9 @@ float gabor_impl_sine_kept(GaborPixel at, float count) {
 
 // A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
 // `amplitude`, to pair `slot` of a material.
-struct GaborLayer {
+struct GaborImplLayer {
     int slot;
-    GaborPixel at;
+    GaborImplPixel at;
     vec2 density;
     vec2 wave;
     float amplitude;
@@ -358,25 +359,26 @@ struct GaborLayer {
 };
 
 // A layer of frequency 0.
-GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, vec2 density, uint seed, int index) {
-    return GaborLayer(slot, at, density, vec2(0.0), 1.0, gabor_lobe_seed(seed, index));
+GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, vec2 density, uint seed, int index) {
+    return GaborImplLayer(slot, at, density, vec2(0.0), 1.0, gabor_lobe_seed(seed, index));
 }
 
-GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, vec2 density, float frequency, float orientation, uint seed,
-                                  int index) {
-    return GaborLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
+GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density, float frequency, float orientation,
+                                      uint seed, int index) {
+    return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                          gabor_lobe_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-GaborLayer gabor_impl_octave(GaborPixel at, vec2 density, int i, int count, float gain, uint seed) {
+GaborImplLayer gabor_impl_octave(GaborImplPixel at, vec2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
-    return GaborLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0), pow(gain, float(i)) * inversesqrt(power),
-                      gabor_lobe_seed(seed, i));
+    return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0),
+                          pow(gain, float(i)) * inversesqrt(power), gabor_lobe_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
 // share of their variance that a filter removed, and the covariance of their derivatives that it removed.
-struct GaborPair {
+struct GaborImplPair {
     vec3 first;
     vec3 second;
     float removed;
@@ -384,45 +386,46 @@ struct GaborPair {
 };
 
 // The pairs of a material.
-struct GaborPairs {
-    GaborPair a;
-    GaborPair b;
-    GaborPair c;
-    GaborPair d;
-    GaborPair e;
+struct GaborImplPairs {
+    GaborImplPair pair_0;
+    GaborImplPair pair_1;
+    GaborImplPair pair_2;
+    GaborImplPair pair_3;
+    GaborImplPair pair_4;
 };
 
-GaborPair gabor_impl_no_pair() {
-    return GaborPair(vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
+GaborImplPair gabor_impl_no_pair() {
+    return GaborImplPair(vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
 }
 
-GaborPairs gabor_impl_no_pairs() {
-    GaborPair none = gabor_impl_no_pair();
-    return GaborPairs(none, none, none, none, none);
+GaborImplPairs gabor_impl_no_pairs() {
+    GaborImplPair none = gabor_impl_no_pair();
+    return GaborImplPairs(none, none, none, none, none);
 }
 
-GaborPair gabor_impl_pair(GaborLayer layer, GaborField field, vec3 lost) {
-    vec2 x = layer.density * layer.at.x, y = layer.density * layer.at.y;
-    return GaborPair(vec3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                     vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y));
+GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, vec3 lost) {
+    vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    return GaborImplPair(vec3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
+                         vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y));
 }
 
-GaborPair gabor_impl_plus(GaborPair sum, GaborPair pair, float amplitude) {
-    return GaborPair(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost);
+GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
+    return GaborImplPair(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost);
 }
 
-GaborPair gabor_impl_spots_pair(GaborLayer layer) {
+GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), vec3(0.0));
 }
 
 // A sum and an octave of it.
-GaborPair gabor_impl_plus_octave(GaborPair sum, GaborLayer layer) {
+GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLayer layer) {
     return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
 }
 
-GaborPair gabor_impl_waves_pair(GaborLayer layer) {
+GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
                            vec3(0.0));
 }
@@ -439,28 +442,29 @@ vec4 gabor_impl_spots_node(float value, float slope, float damped, vec2 fade) {
 }
 
 // The nodes of an axis with its words.
-struct GaborSpotsAxis {
+struct GaborImplSpotsAxis {
     uvec3 word;
     vec4 first;
     vec4 middle;
     vec4 last;
 };
 
-GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
+GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
     float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
     float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-offset, offset)) / width, 0.0, 1.0);
     vec2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * vec2(-1.0, 1.0);
     vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
-    return GaborSpotsAxis(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
+    return GaborImplSpotsAxis(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
+                              gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborSpotsAxis x, uint word, vec4 y, float coupling) {
+void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborImplSpotsAxis x, uint word, vec4 y,
+                              float coupling) {
     vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     vec2 c = gabor_impl_amplitude(x.word.z * word);
     vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -471,29 +475,29 @@ void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborSpotsAxis
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborSpotsLine {
+struct GaborImplSpotsLine {
     uint word;
     vec3 window;
     vec2 fade;
 };
 
-GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
+GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     vec2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
     vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+    return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                              vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
 // derivative of its fade.
-struct GaborSpotsRow {
+struct GaborImplSpotsRow {
     vec3 real;
     vec3 imaginary;
     vec2 edge;
 };
 
-void gabor_impl_add_spot(inout GaborSpotsRow row, GaborSpotsLine x, uint row_word) {
+void gabor_impl_add_spot(inout GaborImplSpotsRow row, GaborImplSpotsLine x, uint row_word) {
     vec2 a = gabor_impl_amplitude(x.word * row_word);
     row.real += x.fade.x * a.x * x.window;
     row.imaginary += x.fade.x * a.y * x.window;
@@ -504,18 +508,18 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
     vec2 m = s.xy + 0.13069097;
     float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x, salt, vec2(1.0, 0.0));
-    GaborFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
-    GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
+                                                            place.period.x, salt, vec2(1.0, 0.0));
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
+    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
+    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
     vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), edge_x = vec2(0.0), edge_y = vec2(0.0);
     int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
     do {
-        GaborSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborSpotsRow row = GaborSpotsRow(vec3(0.0), vec3(0.0), vec2(0.0));
+        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
+        GaborImplSpotsRow row = GaborImplSpotsRow(vec3(0.0), vec3(0.0), vec2(0.0));
         gabor_impl_add_spot(row, x_0, y.word);
         gabor_impl_add_spot(row, x_1, y.word);
         gabor_impl_add_spot(row, x_2, y.word);
@@ -537,8 +541,9 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
 }
 
 GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
-    GaborSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     vec4 sum = vec4(0.0);
     vec2 along_y = vec2(0.0);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -552,7 +557,7 @@ GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
 // The same as gabor_field_filtered with the wave vector 0.
 GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint seed) {
     vec2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(vec2(0.0), footprint.covariance);
     float amplitude = sqrt(kept / gabor_impl_transmitted(vec2(0.0), footprint.resolved));
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
@@ -567,9 +572,10 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint se
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
+GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     vec4 steps = gabor_impl_radii(layer.at, layer.density);
     vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
     vec3 inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
@@ -579,25 +585,25 @@ GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
     return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
 
-GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
+GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     vec4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
 }
 
-GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
+GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     vec4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
 }
 
-void gabor_impl_add_filtered_spots(inout GaborPairs sum, GaborLayer layer) {
-    GaborPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.a = gabor_impl_plus(sum.a, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.b = gabor_impl_plus(sum.b, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.c = gabor_impl_plus(sum.c, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.d = gabor_impl_plus(sum.d, pair, layer.amplitude);
-    else sum.e = gabor_impl_plus(sum.e, pair, layer.amplitude);
+void gabor_impl_add_filtered_spots(inout GaborImplPairs sum, GaborImplLayer layer) {
+    GaborImplPair pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
+    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
+    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
+    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
+    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
 }
 #endif
 
@@ -668,8 +674,8 @@ vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 vec3 gabor_impl_rise(vec3 phase, vec3 span) {
     vec3 ends = gabor_impl_ends_at(phase.x, span.x);
     vec2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
@@ -707,46 +713,47 @@ GaborMaterial gabor_impl_material(vec3 colour, vec3 height, vec3 lost, float rou
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-GaborPixel gabor_impl_board(GaborPixel pixel, GaborWood wood, uint seed) {
+GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood wood, uint seed) {
     vec2 bends = vec2(0.43, 0.018) * wood.waviness;
-    GaborPixel board = gabor_impl_warp(pixel, vec2(1.1, 0.24), vec2(bends.x, 0.0), seed, 0);
+    GaborImplPixel board = gabor_impl_warp(pixel, vec2(1.1, 0.24), vec2(bends.x, 0.0), seed, 0);
     return gabor_impl_warp(board, vec2(4.0, 0.9), vec2(bends.y, 0.0), seed, 1);
 }
 
 // Pores, fibres and tone.
-GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborPixel board, uint seed) {
+GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, uint seed) {
     if (i == 2) return gabor_impl_spots_layer(2, board, vec2(3.5, 0.35), seed, 5);
     return gabor_impl_spots_layer(i, pixel, i == 0 ? vec2(90.0, 4.5) : vec2(150.0, 2.0), seed, 3 + i);
 }
 
-GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, uint seed) {
+GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, uint seed) {
     board = gabor_impl_warp(board, vec2(6.5, 0.08), vec2(0.455 / wood.rings, 0.0), seed, 2);
     float rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
     vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     vec3 ring = gabor_impl_rise(years, vec3(kept, 0.0, 0.0));
-    vec3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
+    vec3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
     vec3 within = vec3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
-    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
-               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
+    vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11)
+               + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13);
     vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45 * deep.x * wood.late;
-    vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
+    vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
     float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
-    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
-              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
+    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+              + 4.0e-8 * of.pair_1.lost
+              + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
 GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
@@ -770,8 +777,8 @@ vec2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : vec2(0.0);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 void gabor_impl_average(inout vec3 height, inout vec3 lost, int count, float kept, float mean, vec3 square) {
     height = kept / float(count) * height + vec3((1.0 - kept) * mean, 0.0, 0.0);
     lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : vec3(0.0);
@@ -779,19 +786,19 @@ void gabor_impl_average(inout vec3 height, inout vec3 lost, int count, float kep
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
+GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_warp(pixel, vec2(0.7), vec2(0.02 * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-GaborLayer gabor_impl_fabric_layer(int i, GaborPixel cloth, vec2 count, uint seed) {
+GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, vec2 count, uint seed) {
     vec2 density = i == 0 ? vec2(0.7 * count.x, 1.1) : i == 1 ? vec2(1.1, 0.7 * count.y)
                  : i == 2 ? vec2(14.0, 2.0) * count : vec2(2.0, 14.0) * count;
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
-vec2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+vec2 gabor_impl_threads(GaborImplPixel pixel, GaborFabric fabric) {
     return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
 }
 
@@ -802,8 +809,8 @@ float gabor_impl_over(float x, float y, float weave) {
     return fract(0.25 * (x + y) + 0.125) < 0.5 ? 1.0 : -1.0; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
     float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
@@ -813,17 +820,17 @@ vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend, bool lev
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-GaborMaterial gabor_impl_fabric(GaborPixel cloth, vec2 count, GaborFabric fabric, GaborPairs of) {
+GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fabric, GaborImplPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
     vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.3, 0.7, spread);
-    at_x += 0.13 * uneven * of.a.first;
-    at_y += 0.13 * uneven * of.b.first;
-    vec2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09 * uneven)
-                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
-    vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
-                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
+    at_x += 0.13 * uneven * of.pair_0.first;
+    at_y += 0.13 * uneven * of.pair_1.first;
+    vec2 warp_tones = gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12);
+    vec2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12);
     vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
     int samples = gabor_impl_samples(spread);
@@ -836,22 +843,23 @@ GaborMaterial gabor_impl_fabric(GaborPixel cloth, vec2 count, GaborFabric fabric
         float over = gabor_impl_over(thread.x, thread.y, fabric.weave);
         bool level_y = over == gabor_impl_over(thread.x, thread.y + (y.x < 0.0 ? -1.0 : 1.0), fabric.weave);
         bool level_x = over == gabor_impl_over(thread.x + (x.x < 0.0 ? -1.0 : 1.0), thread.y, fabric.weave);
-        vec3 along_y = gabor_impl_thread(x, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, over, level_y);
-        vec3 along_x = gabor_impl_thread(y, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -over, level_x);
+        vec3 along_y = gabor_impl_thread(x, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.pair_0.second, y, over, level_y);
+        vec3 along_x = gabor_impl_thread(y, vec3(1.0, 0.0, 0.0) + 0.16 * uneven * of.pair_1.second, x, -over, level_x);
         bool first = along_y.x > along_x.x;
         vec3 top = first ? along_y : along_x;
         if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
         colour += mix(0.18, 1.0, smoothstep(-1.3, 0.5, top.x)) * (first ? warp : weft);
-        top = 0.3 * top + 0.035 * (first ? of.c.second : of.d.second);
+        top = 0.3 * top + 0.035 * (first ? of.pair_2.second : of.pair_3.second);
         height += top;
         lost += gabor_impl_square(top.yz);
     }
-    vec3 mean = vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    vec3 mean =
+        vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = vec3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, vec3(mean.z * count * count, 0.0));
     colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
     height *= unit;
-    lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
+    lost = unit * unit * (lost + 0.0006125 * (of.pair_2.lost + of.pair_3.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
         vec3 at = cords * gabor_impl_along_x(cloth);
@@ -868,34 +876,34 @@ GaborMaterial gabor_impl_fabric(GaborPixel cloth, vec2 count, GaborFabric fabric
 }
 
 GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     vec2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
-GaborPixel gabor_impl_twill(GaborPixel pixel, uint seed) {
+GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, uint seed) {
     return gabor_impl_warp(pixel, vec2(0.8), vec2(0.008), seed, 0);
 }
 
 // The fibres of tows along y and x.
-GaborLayer gabor_impl_tow_layer(int i, GaborPixel cloth, vec2 count, uint seed) {
+GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, vec2 count, uint seed) {
     return gabor_impl_spots_layer(i, cloth, (i == 0 ? vec2(20.0, 0.6) : vec2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, vec2 count, GaborCarbonFibre fibres, GaborPairs of) {
+GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
-    vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
-    vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
+    vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -912,57 +920,59 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, vec2 count, GaborCarbonF
         vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
         vec3 bulge = vec3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
-        bulge = 0.16 * bulge + 0.006 * (first ? of.a.first : of.b.first);
+        bulge = 0.16 * bulge + 0.006 * (first ? of.pair_0.first : of.pair_1.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
     gabor_impl_average(height, lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3(count * count, 0.0));
     colour = mix(0.3221275 * (warp + weft), colour / float(samples), kept);
-    lost = unit * unit * (lost + 1.8e-5 * (of.a.lost + of.b.lost));
+    lost = unit * unit * (lost + 1.8e-5 * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
 GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
-GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
+GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
     vec2 bends = vec2(0.07, 0.014) * leather.wrinkles;
-    GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(bends.x), seed, 0);
+    GaborImplPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(bends.x), seed, 0);
     return gabor_impl_warp(skin, vec2(4.0), vec2(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, uint seed) {
+GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
-GaborPair gabor_impl_moved_waves(GaborPair waves, GaborPixel at, vec2 wave, vec2 offset, float turns) {
+GaborImplPair gabor_impl_moved_waves(GaborImplPair waves, GaborImplPixel at, vec2 wave, vec2 offset, float turns) {
     vec2 turn = gabor_impl_wave(turns);
-    vec3 phase = 6.2831853 * vec3(0.0, dot(wave, at.x), dot(wave, at.y));
+    vec3 phase = 6.2831853 * vec3(0.0, dot(wave, at.by_x), dot(wave, at.by_y));
     vec3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += dot(a.yz, offset);
     b.x += dot(b.yz, offset);
     vec3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
-    return GaborPair(first - second.x * phase, second + first.x * phase, 0.0, vec3(0.0));
+    return GaborImplPair(first - second.x * phase, second + first.x * phase, 0.0, vec3(0.0));
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
-void gabor_impl_crest(GaborPair waves, out vec3 cosine, out vec3 sine) {
+void gabor_impl_crest(GaborImplPair waves, out vec3 cosine, out vec3 sine) {
     float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12;
     vec2 change = waves.first.x * waves.first.yz + waves.second.x * waves.second.yz;
     vec3 unit = inversesqrt(power) * vec3(1.0, -1.0 / power * change);
@@ -971,7 +981,7 @@ void gabor_impl_crest(GaborPair waves, out vec3 cosine, out vec3 sine) {
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather leather, GaborPairs of) {
+GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, GaborImplPairs of) {
     vec2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
     vec2 dx = vec2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     vec2 dy = vec2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
@@ -983,15 +993,15 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather
         vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         vec2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
         vec3 a, b, sine_a, sine_b;
-        gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
-        gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_2, skin, wave_a, further, offset.x), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_3, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
-        vec3 grained = cells + 0.1 * of.a.second;
+        vec3 grained = cells + 0.1 * of.pair_0.second;
         vec2 pebble = gabor_impl_step(-1.45, -0.55, vec3(grained.x, 1.0, 0.0)).xy; // with its derivative
         share += pebble.x;
         vec3 relief = 0.016 * vec3(pebble.x, pebble.y * grained.yz) + 0.013 * gabor_impl_step(-1.0, 3.0, cells)
-                    + 0.0008 * of.a.second;
+                    + 0.0008 * of.pair_0.second;
         float grain = 0.0016 * pebble.y + 0.0008; // the height's derivative by the grain
         grains += grain * grain;
         height += relief;
@@ -1000,37 +1010,37 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather
     vec3 square = leather.cells * leather.cells * vec3(0.0027, 0.0024, -0.00012);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
-    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
+    vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
     vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
+GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint seed) {
     vec4 bends = vec4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
-    GaborPixel stone = gabor_impl_warp(pixel, vec2(1.1), vec2(bends.x), seed, 0);
+    GaborImplPixel stone = gabor_impl_warp(pixel, vec2(1.1), vec2(bends.x), seed, 0);
     stone = gabor_impl_warp(stone, vec2(4.0), vec2(bends.y), seed, 1);
     stone = gabor_impl_warp(stone, vec2(13.0), vec2(bends.z), seed, 2);
     return gabor_impl_warp(stone, vec2(40.0), vec2(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, uint seed) {
+GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
     if (i < 3) return gabor_impl_octave(stone, vec2(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 9);
     vec3 vein = i == 4 ? vec3(1.9, 0.95, -0.45) : i == 5 ? vec3(0.95, 0.85, 0.65)
@@ -1038,7 +1048,7 @@ GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, ui
     return gabor_impl_waves_layer(2, stone, vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
-GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
+GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
     vec3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
@@ -1047,7 +1057,7 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair c
 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborPair vein) {
+void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     vec2 width = i == 4 ? vec2(0.25, 0.035) : i == 5 ? vec2(0.35, 0.05) : vec2(1.0, i == 6 ? 0.04 : 0.05);
     vec2 strength = marble.veins * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
@@ -1060,15 +1070,15 @@ void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, 
 }
 
 GaborMaterial gabor_marble_at(vec2 p, vec2 period, GaborMarble marble, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPair cloud = gabor_impl_no_pair();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_waves_pair(layer));
     }
     return material;
@@ -1076,59 +1086,59 @@ GaborMaterial gabor_marble_at(vec2 p, vec2 period, GaborMarble marble, uint seed
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_dune(GaborPixel pixel, uint seed) {
-    GaborPixel dune = gabor_impl_warp(pixel, vec2(0.8), vec2(0.15), seed, 0);
+GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
+    GaborImplPixel dune = gabor_impl_warp(pixel, vec2(0.8), vec2(0.15), seed, 0);
     return gabor_impl_warp(dune, vec2(3.0), vec2(0.02), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
-GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, uint seed) {
+GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, vec2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
-GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of) {
-    vec2 z = vec2(of.c.first.x, of.c.second.x);
-    float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.c.removed, span = 0.9 * sqrt(power / whole);
-    vec2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
-    vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
+GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
+    vec2 z = vec2(of.pair_2.first.x, of.pair_2.second.x);
+    float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.pair_2.removed, span = 0.9 * sqrt(power / whole);
+    vec2 change = z.x * of.pair_2.first.yz + z.y * of.pair_2.second.yz; // half the derivative of the power
+    vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
-    vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
-               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
+    vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+               + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06);
     vec3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
-    float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
-    float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
+    float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
+    float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
     colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
     colour = mix(colour, mix(sand.crest, vec3(1.0), 0.6), 3.0 * sand.grain * bright);
-    vec3 tall = vec3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.a.first;
-    vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain * of.b.first;
+    vec3 tall = vec3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.pair_0.first;
+    vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first + 0.00875 * sand.grain * of.pair_1.first;
     vec2 wave = ripples.density * ripples.wave; // per unit of the dune
-    wave = vec2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
+    wave = vec2(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     vec3 bent = vec3(0.4 * ripples.density * ripples.density, 0.0);
-    vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
+              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
 GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
-    of.c = gabor_impl_waves_pair(ripples);
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of.pair_2 = gabor_impl_waves_pair(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 // Five sizes of streaks, and six octaves of patina.
-GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
+GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
     if (i >= 5) return gabor_impl_octave(pixel, vec2(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
     vec2 density = vec2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
@@ -1140,37 +1150,39 @@ int gabor_impl_metal_layers(GaborBrushedMetal metal) {
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
-void gabor_impl_add_metal(inout GaborPairs of, int i, GaborLayer layer, GaborPair pair) {
+void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, GaborImplPair pair) {
     if (i >= 5) {
-        of.b = gabor_impl_plus(of.b, pair, layer.amplitude);
+        of.pair_1 = gabor_impl_plus(of.pair_1, pair, layer.amplitude);
         return;
     }
     float size = exp2(-float(i));
-    of.a.first += size * pair.first;
-    of.a.second += 0.4472136 * pair.second;
-    of.a.removed += 0.2 * pair.removed;
-    of.a.lost += size * size * pair.lost;
+    of.pair_0.first += size * pair.first;
+    of.pair_0.second += 0.4472136 * pair.second;
+    of.pair_0.removed += 0.2 * pair.removed;
+    of.pair_0.lost += size * size * pair.lost;
 }
 
-GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
-    vec3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
+GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
+    vec3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
     float threshold = 2.4 - 3.8 * metal.weathering;
-    vec3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3);
-    vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3));
-    height += 0.003 * cover + 0.001 * of.b.first;
-    lost += 9.0e-6 * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3) + 1.0e-6 * of.b.lost;
+    vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
+    vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
+    height += 0.003 * cover + 0.001 * of.pair_1.first;
+    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
+          + 1.0e-6 * of.pair_1.lost;
     return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
                                1.0 - cover.x);
 }
 
 GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal metal, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_spots_pair(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
@@ -1180,17 +1192,18 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 //
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
-GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
+GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
-    GaborPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    GaborImplPixel at = gabor_impl_turned(pixel, angle);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
-void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborPair noise) {
+void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = exp2(-0.13 * float(i));
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
     vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
@@ -1211,7 +1224,7 @@ GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) 
 }
 
 GaborMaterial gabor_scratches_at(vec2 p, vec2 period, GaborScratches scratches, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
     GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1221,58 +1234,59 @@ GaborMaterial gabor_scratches_at(vec2 p, vec2 period, GaborScratches scratches, 
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_hide(GaborPixel pixel, uint seed) {
+GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, uint seed) {
     return gabor_impl_warp(pixel, vec2(0.9), vec2(0.14), seed, 0);
 }
 
-float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
+float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, vec2(0.6));
     return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel skin, float direction, GaborZebra zebra,
-                                  uint seed) {
+GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, uint seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, vec2(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
-GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
+GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
     float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
     // where it is small, a constant softness would blur the edge
-    float intensity = length(vec2(of.c.first.x, of.c.second.x));
-    float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
-                                  of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0,
+    float intensity = length(vec2(of.pair_2.first.x, of.pair_2.second.x));
+    float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
+                                  of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
-               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
+    vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
+               + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
     vec3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0);
 }
 
 GaborMaterial gabor_zebra_at(vec2 p, vec2 period, GaborZebra zebra, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_trunk(GaborPixel pixel, uint seed) {
-    GaborPixel trunk = gabor_impl_warp(pixel, vec2(0.8, 0.35), vec2(0.22, 0.1), seed, 0);
+GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, uint seed) {
+    GaborImplPixel trunk = gabor_impl_warp(pixel, vec2(0.8, 0.35), vec2(0.22, 0.1), seed, 0);
     trunk = gabor_impl_warp(trunk, vec2(3.0, 1.6), vec2(0.05, 0.05), seed, 1);
     return gabor_impl_warp(trunk, vec2(10.0), vec2(0.013), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, uint seed) {
-    GaborPixel at = trunk;
+GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, uint seed) {
+    GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, vec2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, vec2(1.1, 0.7), seed, 6);
@@ -1280,57 +1294,58 @@ GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, Gabo
     return gabor_impl_waves_layer(3, trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }
 
-GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
-    vec3 shape = of.c.first + 0.2 * of.a.first;
-    float removed = of.c.removed + 0.04 * of.a.removed;
-    vec3 whole = vec3(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of.d.first, of.d.removed, 0.13);
+GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
+    vec3 shape = of.pair_2.first + 0.2 * of.pair_0.first;
+    float removed = of.pair_2.removed + 0.04 * of.pair_0.removed;
+    vec3 whole = vec3(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.13);
     vec3 risen = gabor_impl_above(shape, removed, -0.15, 0.35), plate = gabor_impl_times(risen, whole);
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
-    vec3 weighted = of.a.second + vec3(0.25 * of.a.removed, 0.0, 0.0);
-    float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
-    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
-    vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
+    vec3 weighted = of.pair_0.second + vec3(0.25 * of.pair_0.removed, 0.0, 0.0);
+    float worn = 0.5 * gabor_impl_above(weighted, of.pair_0.removed, 0.5, 0.4).x;
+    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
+    vec2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25);
     vec3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3(1.0), 0.13), tone), worn);
     vec3 moss = gabor_impl_toned(bark.moss, tone);
     vec3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
     vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
-    vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
-    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.d.first, of.d.removed, 0.0919239).x;
+    vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
+    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
-    float deep = bark.depth + 0.0108 * of.a.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
+    float deep = bark.depth + 0.0108 * of.pair_0.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
     float both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(vec3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
-    vec3 lost = (deep * deep + 0.00011664 * of.a.removed)
-              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
-                 + 0.3025 * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13))
-              + (0.000324 * coarses + both) * of.a.lost;
+    vec3 lost = (deep * deep + 0.00011664 * of.pair_0.removed)
+              * (wholes * gabor_impl_above_lost(shape, removed, of.pair_2.lost + 0.04 * of.pair_0.lost, -0.15, 0.35)
+                 + 0.3025 * rises * gabor_impl_line_lost(of.pair_3.first, of.pair_3.removed, of.pair_3.lost, 0.13))
+              + (0.000324 * coarses + both) * of.pair_0.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
 
 GaborMaterial gabor_bark_at(vec2 p, vec2 period, GaborBark bark, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
+GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint seed) {
     vec4 folds = vec4(0.2, 0.016, 0.022, 0.004) * strata.folds;
-    GaborPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, folds.x), seed, 0);
+    GaborImplPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, vec2(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, vec2(7.0, 10.0), vec2(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, uint seed) {
+GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       uint seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
@@ -1338,34 +1353,35 @@ GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, Gab
     return gabor_impl_spots_layer(i - 3, rock, density * vec2(1.0, strata.layers), seed, i - 1);
 }
 
-GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
-    vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
-    vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
+    vec3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
+    vec2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11);
     vec3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
-                      gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
+                      gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0, 0.5).x);
     colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
     colour = mix(colour, gabor_impl_toned(strata.pale, tones),
-                 0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
+                 0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
     colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
-                 0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
-    vec3 height = 0.02 * of.b.second - 0.012 * soft + 0.006 * of.d.first + 0.0015 * of.e.first + 0.003 * of.a.second;
-    vec3 lost = 0.0004 * of.b.lost + 3.6e-5 * of.d.lost + 2.25e-6 * of.e.lost + 9.0e-6 * of.a.lost
-              + 0.000144 * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5, 0.22);
+                 0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
+    vec3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
+                + 0.003 * of.pair_0.second;
+    vec3 lost = 0.0004 * of.pair_1.lost + 3.6e-5 * of.pair_3.lost + 2.25e-6 * of.pair_4.lost + 9.0e-6 * of.pair_0.lost
+              + 0.000144 * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5, 0.22);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
                                0.0);
 }
 
 GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
-    of.e = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
 
@@ -1373,19 +1389,19 @@ GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed
 
 #ifdef GABOR_FILTER_GLSL
 GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     vec2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
@@ -1393,65 +1409,65 @@ GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
 
 GaborMaterial gabor_carbon_fibre_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborLeather leather, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborMarble marble, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
+    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
     }
     return material;
 }
 
 GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborSand sand, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    of.c = gabor_impl_filtered_waves(ripples);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
 }
 
 GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborScratches scratches, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1460,34 +1476,34 @@ GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period,
 }
 
 GaborMaterial gabor_zebra_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborZebra zebra, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GaborMaterial gabor_bark_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBark bark, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     for (int j = 6; j < 8; ++j) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.c = pair;
-        else of.d = pair;
+        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
+        if (j == 6) of.pair_2 = pair;
+        else of.pair_3 = pair;
     }
     return gabor_impl_bark(bark, of);
 }
 
 GaborMaterial gabor_strata_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborStrata strata, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 8; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
@@ -1608,4 +1624,4 @@ GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
 }
 #endif
 
-#endif // GABOR_MATERIALS_GLSL
+#endif

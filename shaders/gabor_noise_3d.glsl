@@ -1,5 +1,5 @@
-// gabor_noise_3d.glsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.glsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3, the default.
 //
@@ -22,7 +22,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_3D_GLSL
-#define GABOR_NOISE_3D_GLSL
+#define GABOR_NOISE_3D_GLSL 1
 #ifndef GABOR_NOISE_GLSL
 #error Include gabor_noise.glsl before gabor_noise_3d.glsl
 #elif GABOR_TAPS != 3
@@ -43,8 +43,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     float noise;
     vec3 gradient;
@@ -117,14 +117,17 @@ void gabor_impl_add_field_3d(inout GaborField3d sum, GaborField3d field, float a
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, out vec4 sum, out vec4 slope) {
+void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, out vec4 sum,
+                          out vec4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_impl_sum(x, y, moment, sum, slope);
@@ -132,7 +135,8 @@ void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float mo
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
+void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
+                          float moment) {
     vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
@@ -155,11 +159,11 @@ GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed) {
     vec3 stretch = place.radius / GABOR_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                      GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                      GABOR_RADIUS);
     vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
     gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
@@ -175,26 +179,26 @@ float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed) {
     return gabor_field_3d(gabor_place_3d_at(p), abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
-struct GaborSurface {
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+struct GaborImplSurface {
     vec3 direction;
     vec3 other;
     float second;
 };
 
-GaborSurface gabor_impl_surface(vec3 normal, vec3 direction) {
+GaborImplSurface gabor_impl_surface(vec3 normal, vec3 direction) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     vec3 other = cross(direction, abs(direction.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
     float second = 1.0 - smoothstep(0.0625, 0.25, dot(direction, direction));
-    return GaborSurface(gabor_impl_unit(direction), gabor_impl_unit(other), second);
+    return GaborImplSurface(gabor_impl_unit(direction), gabor_impl_unit(other), second);
 }
 
 GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed) {
-    GaborSurface surface = gabor_impl_surface(normal, direction);
+    GaborImplSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
@@ -220,34 +224,34 @@ float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, 
 
 // The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
-struct GaborTangents {
+struct GaborImplTangents {
     bool only;
     vec3 along;
     vec3 across;
 };
 
-GaborTangents gabor_impl_all_directions() {
-    return GaborTangents(false, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
+GaborImplTangents gabor_impl_all_directions() {
+    return GaborImplTangents(false, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-GaborTangents gabor_impl_tangents(vec3 normal, int axis) {
+GaborImplTangents gabor_impl_tangents(vec3 normal, int axis) {
     vec3 along = gabor_impl_unit(cross(axis == 0 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
-    return GaborTangents(true, along, cross(normal, along));
+    return GaborImplTangents(true, along, cross(normal, along));
 }
 
 // The waves of a node: unit wave vectors and, in w, the point's offset from the node along them.
-struct GaborStar3d {
-    vec4 u;
-    vec4 v;
-    vec4 w;
+struct GaborImplStar3d {
+    vec4 first;
+    vec4 second;
+    vec4 third;
 };
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
-GaborStar3d gabor_impl_star_3d(GaborTangents tangents, vec3 d, uint word) {
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
+GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, vec3 d, uint word) {
     vec2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     vec3 first = turn.x * tangents.along + turn.y * tangents.across;
     vec3 second = turn.x * tangents.across - turn.y * tangents.along;
@@ -260,11 +264,11 @@ GaborStar3d gabor_impl_star_3d(GaborTangents tangents, vec3 d, uint word) {
         v = spin.x * across + spin.y * lifted;
         w = spin.x * lifted - spin.y * across;
     }
-    return GaborStar3d(u, v, w);
+    return GaborImplStar3d(u, v, w);
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, float moment, uint word) {
     vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     vec2 value = window.w * a;
@@ -275,50 +279,54 @@ void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, floa
 }
 
 // A node on an axis, with its window and the window's derivative.
-struct GaborNode {
+struct GaborImplNode {
     float offset; // offset of the point from the node
     float value;
     float slope;
 };
 
-GaborNode gabor_impl_node(GaborAxis axis, int i) {
+GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     vec4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborNode((axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z);
+    return GaborImplNode((axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z);
 }
 
-uint gabor_impl_node_word(GaborAxis axis, int i) {
+uint gabor_impl_node_word(GaborImplAxis axis, int i) {
     return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, vec3 scale, float moment,
-                                  GaborTangents tangents, uint column, uvec4 row) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, vec3 scale,
+                                  float moment, GaborImplTangents tangents, uint column, uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
-    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     vec4 window = vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     vec4 unit = vec4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
-GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, uint seed) {
+GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
+                                      GABOR_RADIUS);
     vec3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
-        GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
+        GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     float amplitude = inversesqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
@@ -347,4 +355,4 @@ GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, floa
     return sum;
 }
 
-#endif // GABOR_NOISE_3D_GLSL
+#endif

@@ -1,8 +1,8 @@
-// gabor_sparse.glsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point.
+// gabor_sparse.glsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
+// every point.
 //
 // Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
-// it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
+// it adds begins with gabor_, Gabor or GABOR_. Names with impl or Impl are private.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -17,7 +17,7 @@
 #error Include gabor_sparse.glsl or gabor_noise.glsl, not both: they define the same functions
 #endif
 #ifndef GABOR_SPARSE_GLSL
-#define GABOR_SPARSE_GLSL
+#define GABOR_SPARSE_GLSL 1
 
 #if __VERSION__ > 0 && __VERSION__ < 200
 // Here naga has 0, and Babylon.js 200 for WebGL 2.
@@ -27,31 +27,34 @@ precision highp float;
 precision highp int;
 #endif
 
-#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
+// 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000
 
 // ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
+// N, the number of impulses per cell: an int, at least 1.
 #ifndef GABOR_IMPULSES
-#define GABOR_IMPULSES 1 // N, the number of impulses per cell: an int, at least 1
+#define GABOR_IMPULSES 1
 #endif
+// R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
 #ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis
+#define GABOR_RADIUS 1.0
 #endif
+// A, a float in [0, 1]: weights have magnitude A or 1, with equal probability.
 #ifndef GABOR_WEIGHT_FLOOR
-#define GABOR_WEIGHT_FLOOR 0.675 // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability
+#define GABOR_WEIGHT_FLOOR 0.675
 #endif
 // Number of phases, evenly spaced over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
 #ifndef GABOR_PHASES
 #define GABOR_PHASES 256
 #endif
+// c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2.
 #ifndef GABOR_WINDOW
-#define GABOR_WINDOW vec3(3.0, -4.5, 2.5) // c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2
-#endif
-#ifndef GABOR_UNROLL
-#define GABOR_UNROLL // written before each loop: [[unroll]] with GL_EXT_control_flow_attributes, [unroll] in HLSL
+#define GABOR_WINDOW vec3(3.0, -4.5, 2.5)
 #endif
 
-#ifndef GABOR_UNCHECKED // define it if the macros are constants that #if cannot evaluate
+// Define GABOR_UNCHECKED as 1 if the macros are constants that #if cannot evaluate.
+#ifndef GABOR_UNCHECKED
 #if GABOR_IMPULSES < 1
 #error GABOR_IMPULSES must be an int, at least 1
 #endif
@@ -84,7 +87,7 @@ precision highp int;
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
@@ -152,7 +155,7 @@ struct GaborField {
 // kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
 // wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
 //
-// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
 float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, vec3 window) {
     return float(n + phases) + r + a + window.x;
@@ -163,7 +166,9 @@ float gabor_impl_check_macros() { // a macro of the wrong type fails to compile 
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
-#define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u // odd, and spreads consecutive cells over all 32 bits
+
+// Odd, and spreads consecutive cells over all 32 bits.
+#define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u
 
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
 // between the rounds, so that no salt's sequence is a shifted copy of another's.
@@ -191,19 +196,19 @@ uint gabor_impl_impulse_word(int column, uint row_word, int index) {
 }
 
 // The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
-struct GaborImpulse {
+struct GaborImplImpulse {
     vec2 position_plus_one;
     float phase;      // phase in turns
     float phase_rate; // turns per unit of time: -4 to -1 or 1 to 4
     float magnitude;  // magnitude of the weight
 };
 
-GaborImpulse gabor_impl_impulse(uint word) {
+GaborImplImpulse gabor_impl_impulse(uint word) {
     vec2 position_plus_one = vec2(uintBitsToFloat(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
                                   uintBitsToFloat(0x3f800000u | (word & 0x7fffffu)));
     float rate = float((word >> 8u) & 7u) - 4.0;
-    return GaborImpulse(position_plus_one, fract(position_plus_one.y * (8388608.0 / float(GABOR_PHASES))),
-                        rate < 0.0 ? rate : rate + 1.0, int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR);
+    return GaborImplImpulse(position_plus_one, fract(position_plus_one.y * (8388608.0 / float(GABOR_PHASES))),
+                            rate < 0.0 ? rate : rate + 1.0, int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR);
 }
 
 // sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
@@ -236,20 +241,20 @@ vec2 gabor_impl_direction(float angle) {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
-// q^2.
-struct GaborEnergy {
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the
+// integral of q^2.
+struct GaborImplEnergy {
     vec4 e4567;
     float e8;
     float sum;
 };
 
-GaborEnergy gabor_impl_energy() {
+GaborImplEnergy gabor_impl_energy() {
     vec3 c = GABOR_WINDOW;
     vec4 e4567 = vec4(256.0 / 315.0, 512.0 / 693.0, 2048.0 / 3003.0, 4096.0 / 6435.0)
                * vec4(c.x * c.x, 2.0 * c.x * c.y, c.y * c.y + 2.0 * c.x * c.z, 2.0 * c.y * c.z);
     float e8 = c.z * c.z * (65536.0 / 109395.0);
-    return GaborEnergy(e4567, e8, dot(e4567, vec4(1.0)) + e8);
+    return GaborImplEnergy(e4567, e8, dot(e4567, vec4(1.0)) + e8);
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
@@ -257,7 +262,7 @@ GaborEnergy gabor_impl_energy() {
 // 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
 // L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-float gabor_impl_relative_energy(float k, GaborEnergy energy) {
+float gabor_impl_relative_energy(float k, GaborImplEnergy energy) {
     float a = 12.566371 * k;
     float z = a * a;
     vec4 d4567;
@@ -327,7 +332,7 @@ GaborPlace gabor_place(ivec2 cell, vec2 local) {
 // With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
 GaborKernel gabor_kernel(float frequency, float orientation) {
     vec2 wave = min(abs(frequency) > 1.0e-6 ? abs(frequency) : 1.0e-6, 1.0e6) * gabor_impl_direction(orientation);
-    GaborEnergy energy = gabor_impl_energy();
+    GaborImplEnergy energy = gabor_impl_energy();
     float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
     float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
     float amplitude = inversesqrt(0.5 * density * power * energy.sum * energy.sum);
@@ -350,13 +355,13 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     float moment = fract(place.moment);
     uint seed_word = gabor_impl_seed_word(seed);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
-    GABOR_UNROLL for (int j = 0; j < visited; ++j) {
+    for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
-        GABOR_UNROLL for (int i = 0; i < visited; ++i) {
+        for (int i = 0; i < visited; ++i) {
             int column = gabor_impl_wrap(cell.x + i, place.period.x);
-            GABOR_UNROLL for (int k = 0; k < GABOR_IMPULSES; ++k) {
+            for (int k = 0; k < GABOR_IMPULSES; ++k) {
                 uint word = gabor_impl_impulse_word(column, row_word, k);
-                GaborImpulse impulse = gabor_impl_impulse(word);
+                GaborImplImpulse impulse = gabor_impl_impulse(word);
                 // The sum in the inner brackets is exact, so only one rounding remains.
                 vec2 d = (local - (impulse.position_plus_one + (first + vec2(float(i), float(j))))) * cell_side;
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
@@ -423,4 +428,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_SPARSE_GLSL
+#endif

@@ -76,9 +76,9 @@ std::string lighting(const View& view) {
 
 // Includes drop-ins, for users who have the files. Skips empty names.
 std::string includes(std::initializer_list<std::string_view> drop_ins) {
-    std::string text;
+    std::string text = "// Include these files, or paste them here.\n";
     for (const std::string_view name : drop_ins)
-        text += name.empty() ? "" : glsl("#include \"gabor_{}.glsl\" // or paste it here\n", name);
+        text += name.empty() ? "" : glsl("#include \"gabor_{}.glsl\"\n", name);
     return text;
 }
 
@@ -105,7 +105,7 @@ std::array<std::string, 2> term_of(const View& view, const passes::PixelsWave& w
     const auto table = static_cast<std::size_t>(wave.table);
     const passes::Line x = view.table<passes::Line>(0)[table], y = view.table<passes::Line>(1)[table];
     const float ratio = wave.radius.y / wave.radius.x;
-    return {glsl("GaborPlace(ivec2({}, {}), {} + here.p * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
+    return {glsl("GaborPlace(ivec2({}, {}), {} + here.position * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
                  render::in_perspective(view.request) ? wave.camera : passes::vec2{x.local, y.local},
                  std::array{wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y}, wave.nodes,
                  wave.period.x, wave.period.y),
@@ -245,9 +245,10 @@ std::string material_function(const View& view) {
             ? literal(std::array{request.width / request.scale, request.height / request.scale})
             : "vec2(0.0)";
     const std::string material =
-        glsl(request.filter ? "gabor_{0}_filtered_at({1}p, {1}dx, {1}dy, {2}, m, {1}{3})"
-                            : "gabor_{0}_at({1}p, {2}, m, {1}{3})",
-             function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed);
+        glsl(request.filter ? "gabor_{0}_filtered_at({1}{4}, {1}dx, {1}dy, {2}, m, {1}{3})"
+                            : "gabor_{0}_at({1}{4}, {2}, m, {1}{3})",
+             function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed,
+             boards ? "position" : "p");
     return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
                 "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
                 "gabor_{}_default();\n{}",

@@ -181,7 +181,7 @@ void set_brackets(Run across, Run down, BakeWave wave) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, wrap.y), seed_word);
         uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, wrap.x), row_word, c % recipe_impulses);
-        GaborImpulse impulse = gabor_impl_impulse(word);
+        GaborImplImpulse impulse = gabor_impl_impulse(word);
         vec2 d = (vec2(across.local, down.local) - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
         float turns = dot(wave.wave, d) + impulse.phase + impulse.phase_rate * time;
         vec2 z = wave.amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));

@@ -1,7 +1,7 @@
 // Lights a material with a lamp and the light of its surroundings. The constant `environment` is 0 for a room with a window, 1
 // for an overcast sky, and 2 for darkness. The surface is the plane z = 0; y points down the picture. Surfaces reflect light as
-// in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction through rough
-// surfaces", 2007). So the exported maps look the same in other renderers; see docs/gallery.md.
+// in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., Microfacet models for refraction through rough
+// surfaces, 2007). So the exported maps look the same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
 // it.
@@ -65,7 +65,7 @@ struct Surface {
 };
 
 // The share of light from all around that the surface reflects to the eye, including light that facets reflect more than once
-// (after Fdez-Aguera, "A multiple-scattering microfacet model for real-time image based lighting", 2019). `once` and `grazing`
+// (after Fdez-Aguera, A multiple-scattering microfacet model for real-time image based lighting, 2019). `once` and `grazing`
 // are fitted to integrals over GGX.
 vec3 reflected(vec3 mirror, float roughness, float seen) {
     float square = roughness * roughness;

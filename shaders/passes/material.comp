@@ -42,9 +42,9 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
         board = gabor_board(p, filtered ? dx : vec2(0.0), filtered ? dy : vec2(0.0), tile, boards, seed);
     GaborMaterial material;
     if (filtered)
-        material = GABOR_FILTERED(board.p, board.dx, board.dy, period, look, board.seed);
+        material = GABOR_FILTERED(board.position, board.dx, board.dy, period, look, board.seed);
     else
-        material = GABOR_MATERIAL(board.p, period, look, board.seed);
+        material = GABOR_MATERIAL(board.position, period, look, board.seed);
     return laid ? gabor_laid(material, board, boards) : material;
 }
 

@@ -54,7 +54,7 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     PixelsWave wave = wave_table[index];
     Line column = columns[pixel_at.x * tables + wave.table];
     Line row = rows[pixel_at.y * tables + wave.table];
-    vec2 local = horizon ? here.p * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
+    vec2 local = horizon ? here.position * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
     ivec2 cell = ivec2(column.cell, row.cell);
     vec2 paint_here = painted ? painted_at(vec2(pixel_at)) : vec2(1.0, 0.0);
     float frequency = paint_here.x * wave.frequency;
@@ -69,7 +69,7 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     GaborField field;
 #if GABOR_TAPS == 3
     vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
-    GaborFootprint footprint = gabor_impl_footprint(nodes * here.dx, nodes * here.dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(nodes * here.dx, nodes * here.dy);
     bool narrow = few_waves > 0 && (narrow_waves >> index & 1u) == 1u;
     bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;
     float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);

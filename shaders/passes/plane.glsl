@@ -2,7 +2,7 @@
 
 // The point that a pixel shows, and the steps to those that the next pixels show.
 struct Footprint {
-    vec2 p;
+    vec2 position;
     vec2 dx;
     vec2 dy;
 };

@@ -17,14 +17,16 @@ layout(constant_id = window_id) const float recipe_window_x = 1.0;
 layout(constant_id = window_id + 1) const float recipe_window_y = 0.0;
 layout(constant_id = window_id + 2) const float recipe_window_z = 0.0;
 
-#define GABOR_UNROLL [[unroll]]
-#define GABOR_UNCHECKED
+#define GABOR_UNCHECKED 1
 #define GABOR_IMPULSES recipe_impulses
 #define GABOR_RADIUS recipe_radius
 #define GABOR_WEIGHT_FLOOR recipe_weight_floor
 #define GABOR_PHASES recipe_phases
 #define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
 
+// Specialization constants bound the loops, which compilers unroll only if asked.
+#define for [[unroll]] for
 #include "gabor_sparse.glsl"
+#undef for
 
 #endif

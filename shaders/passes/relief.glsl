@@ -51,7 +51,7 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
 
 // A point of the surface that a pixel shows, and how it is seen.
 struct SurfacePoint {
-    vec3 p;
+    vec3 position;
     vec3 dx; // steps to the points that the next pixels show
     vec3 dy;
     vec3 normal;
@@ -60,7 +60,7 @@ struct SurfacePoint {
 };
 
 SurfacePoint point_of_plane(Footprint here, vec3 eye, vec2 place) {
-    return SurfacePoint(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), vec3(0.0, 0.0, 1.0), eye, place);
+    return SurfacePoint(vec3(here.position, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), vec3(0.0, 0.0, 1.0), eye, place);
 }
 
 // The point of the plane that a pixel shows, from above or, if `sky` rows are above the horizon, in perspective. The parameters are
@@ -69,7 +69,7 @@ SurfacePoint point_of_pixel(vec2 pixel_at, vec2 center, vec2 corner, float pixel
     if (sky > 0.0) {
         vec2 at = pixel_at - vec2(center.x, sky);
         Footprint here = footprint_below_horizon(at, pixel, focal_length);
-        here.p += corner;
+        here.position += corner;
         return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
     }
     vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
@@ -93,7 +93,7 @@ struct Sample {
 
 // A shader should call this once: each call compiles the material again.
 Sample sample_at(SurfacePoint here, bool body, Axes axes) {
-    Relief relief = relief_at(here.p, here.dx, here.dy, here.normal, body);
+    Relief relief = relief_at(here.position, here.dx, here.dy, here.normal, body);
     Sample seen = Sample(relief.material, relief.slope, bumped_normal(here.normal, relief.slope), here.eye, here.place);
     if (body) { // planes have the axes of the picture
         seen.slope = in_picture(seen.slope, axes);

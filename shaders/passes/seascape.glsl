@@ -60,8 +60,8 @@ float distance_to_water(Sea sea, vec3 eye, vec3 ray, float wide, out vec2 shift)
 }
 
 // Returns the light that water sends to the eye: the sky and the sun, reflected by facets whose slopes spread by w.lost, light
-// from below, which shines through crests, and foam. After Bruneton, Neyret and Holzschuch, "Real-time realistic ocean lighting
-// using seamless transitions from geometry to BRDF", 2010, and Cox and Munk's normal slopes.
+// from below, which shines through crests, and foam. After Bruneton, Neyret and Holzschuch, Real-time realistic ocean lighting
+// using seamless transitions from geometry to BRDF, 2010, and Cox and Munk's normal slopes.
 vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     float facing = max(dot(normal, -ray), 0.03), spread = sqrt(0.5 * (w.lost.x + w.lost.y));

@@ -7,14 +7,14 @@
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, ddx(p), ddy(p), float2(0.0), planks, 7u);      // the one at p
-//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     GaborMaterial m = gabor_wood_filtered(board.position, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
 //     GaborMaterial sand = gabor_sand_filtered(p, ddx(p), ddy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
-//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.position, then gabor_laid
 //     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
@@ -30,7 +30,7 @@
 #error Include gabor_noise.hlsl, gabor_spectrum.hlsl and gabor_materials.hlsl before gabor_compose.hlsl
 #endif
 #ifndef GABOR_COMPOSE_HLSL
-#define GABOR_COMPOSE_HLSL
+#define GABOR_COMPOSE_HLSL 1
 
 // ---- Boards --------------------------------------------------------------------------------------------------------
 
@@ -62,7 +62,7 @@ GaborBoards GaborBoards_of(float3 joint, float width, float reach, float shift, 
 
 // The board at a point.
 struct GaborBoard {
-    float2 p;     // where to evaluate its material
+    float2 position;     // where to evaluate its material
     float2 dx;    // the pixel there, for a filtered material
     float2 dy;
     uint seed;  // the board's own seed for its material
@@ -71,10 +71,10 @@ struct GaborBoard {
     float3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
-GaborBoard GaborBoard_of(float2 p, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint)
+GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint)
 {
     GaborBoard made;
-    made.p = p;
+    made.position = position;
     made.dx = dx;
     made.dy = dy;
     made.seed = seed;
@@ -93,8 +93,8 @@ GaborBoard GaborBoard_of(float2 p, float2 dx, float2 dy, uint seed, float2 turn,
 //     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
-//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
-//     the slopes of joints, which are too few and too steep to widen a highlight.
+//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost`
+//     leaves out the slopes of joints, which are too few and too steep to widen a highlight.
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
@@ -192,4 +192,4 @@ GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
     return gabor_impl_outer(coat, core, softness, -1.0);
 }
 
-#endif // GABOR_COMPOSE_HLSL
+#endif

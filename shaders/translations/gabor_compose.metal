@@ -7,14 +7,14 @@
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dfdx(p), dfdy(p), float2(0.0), planks, 7u);      // the one at p
-//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     GaborMaterial m = gabor_wood_filtered(board.position, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
 //     GaborMaterial sand = gabor_sand_filtered(p, dfdx(p), dfdy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
-//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.position, then gabor_laid
 //     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
@@ -34,7 +34,7 @@ using namespace metal;
 #error Include gabor_noise.metal, gabor_spectrum.metal and gabor_materials.metal before gabor_compose.metal
 #endif
 #ifndef GABOR_COMPOSE_METAL
-#define GABOR_COMPOSE_METAL
+#define GABOR_COMPOSE_METAL 1
 
 // ---- Boards --------------------------------------------------------------------------------------------------------
 
@@ -52,7 +52,7 @@ struct GaborBoards {
 
 // The board at a point.
 struct GaborBoard {
-    float2 p;     // where to evaluate its material
+    float2 position;     // where to evaluate its material
     float2 dx;    // the pixel there, for a filtered material
     float2 dy;
     uint seed;  // the board's own seed for its material
@@ -70,8 +70,8 @@ struct GaborBoard {
 //     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
-//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
-//     the slopes of joints, which are too few and too steep to widen a highlight.
+//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost`
+//     leaves out the slopes of joints, which are too few and too steep to widen a highlight.
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.
@@ -169,4 +169,4 @@ inline GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float so
     return gabor_impl_outer(coat, core, softness, -1.0);
 }
 
-#endif // GABOR_COMPOSE_METAL
+#endif

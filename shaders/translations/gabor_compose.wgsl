@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest a20e46d0eb7d52fd.
+// naga 30.0.1 made it from GLSL with the digest 0de19996ffcbf4c7.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -9,14 +9,14 @@
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dpdx(p), dpdy(p), vec2f(0.0), planks, 7u);      // the one at p
-//     GaborMaterial m = gabor_wood_filtered(board.p, board.dx, board.dy, board.seed);
+//     GaborMaterial m = gabor_wood_filtered(board.position, board.dx, board.dy, board.seed);
 //     m = gabor_laid(m, board, planks);
 //     GaborMaterial sand = gabor_sand_filtered(p, dpdx(p), dpdy(p), 8u);              // a layer
 //     sand.height = 0.2 * sand.height - 0.015;                                         // so low that it lies in joints
 //     m = gabor_covered(m, sand, 0.005);
 //
 //     I want                                 call
-//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.p, then gabor_laid
+//     planks, tiles, bricks or cobbles       gabor_board, then any material at board.position, then gabor_laid
 //     moss, snow or sand that fills hollows  gabor_covered(below, above, softness)
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
@@ -44,7 +44,7 @@ struct GaborBoards {
 
 // The board at a point.
 struct GaborBoard {
-    p: vec2<f32>, // where to evaluate its material
+    position: vec2<f32>, // where to evaluate its material
     dx: vec2<f32>, // the pixel there, for a filtered material
     dy: vec2<f32>,
     seed: u32, // the board's own seed for its material
@@ -62,8 +62,8 @@ struct GaborBoard {
 //     change so that whole boards fill it. Give the material itself no period.
 
 // GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards)
-//     The material at board.p as part of its board: turned, with the board's shade, and with joints. `lost` leaves out
-//     the slopes of joints, which are too few and too steep to widen a highlight.
+//     The material at board.position as part of its board: turned, with the board's shade, and with joints. `lost`
+//     leaves out the slopes of joints, which are too few and too steep to widen a highlight.
 
 // GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, f32 softness)
 //     The higher of two materials. Their edge is as soft as a difference in height of `softness`.

@@ -36,7 +36,7 @@
 #error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.hpp
 #endif
 #ifndef GABOR_DIRECTION_HPP
-#define GABOR_DIRECTION_HPP
+#define GABOR_DIRECTION_HPP 1
 
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
@@ -90,9 +90,9 @@ GABOR_INLINE void gabor_impl_add_directed_wave(GaborField& sum, gabor_vec2 ampli
 
 GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
-                                  place.radius.y);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                                      place.radius.y);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
@@ -116,4 +116,4 @@ GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t se
     return gabor_field_waves(place, waves, seed);
 }
 
-#endif // GABOR_DIRECTION_HPP
+#endif

@@ -37,7 +37,7 @@ using namespace metal;
 #error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.metal
 #endif
 #ifndef GABOR_DIRECTION_METAL
-#define GABOR_DIRECTION_METAL
+#define GABOR_DIRECTION_METAL 1
 
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
@@ -91,9 +91,9 @@ inline void gabor_impl_add_directed_wave(thread GaborField& sum, float2 amplitud
 
 inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                  place.radius.y);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                      place.radius.y);
     float2 stretch = place.radius / GABOR_RADIUS;
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {
@@ -117,4 +117,4 @@ inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
     return gabor_field_waves(place, waves, seed);
 }
 
-#endif // GABOR_DIRECTION_METAL
+#endif

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c28ea545a61db080.
+// naga 30.0.1 made it from GLSL with the digest 34b385d6e705416c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
@@ -109,8 +109,8 @@ fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
-    var x_6: GaborAxis;
-    var y_5: GaborAxis;
+    var x_6: GaborImplAxis;
+    var y_5: GaborImplAxis;
     var stretch_2: vec2<f32>;
     var sum_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_1: i32 = 0i;

@@ -20,7 +20,7 @@
 #error Include gabor_noise.hpp before gabor_erosion.hpp
 #endif
 #ifndef GABOR_EROSION_HPP
-#define GABOR_EROSION_HPP
+#define GABOR_EROSION_HPP 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -32,17 +32,17 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-                           // equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-                           // rms slope of a map leaves its valleys open
-    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
-                           // even stripes
+    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+                           // for equal slopes
+    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+                           // the rms slope of a map leaves its valleys open
+    float detail;          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
+                           // for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -57,16 +57,16 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
-//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
-//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
-//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
-//     draw it as a heightmap first, which has its curvature in nine texels.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
+//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
+//     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
+//     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
 // vec4 gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
-//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
-//     those of gabor_terrain.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
+//     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
+//     -1 to 1, as those of gabor_terrain.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2(0), p, vec2(0.0)) for a point
     gabor_ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
@@ -121,12 +121,12 @@ GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::
     int first = gabor_impl_wrap(index - 1, period);
     int second = gabor_impl_next_node(first, period);
     int third = gabor_impl_next_node(second, period);
-    return gabor_uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt), gabor_impl_line_word(third, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
+    return gabor_uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     gabor_vec2 value;
     gabor_vec2 slope_x;
     gabor_vec2 slope_y;
@@ -137,7 +137,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, gabor_vec4 curvature_x, gabor_vec3 y) {
+GABOR_INLINE void gabor_impl_add_hill_row(GaborImplHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, gabor_vec4 curvature_x, gabor_vec3 y) {
     gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
     gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b)), along_x = gabor_vec2(gabor_cpp_dot(slope_x, a), gabor_cpp_dot(slope_x, b));
     sum.value += y.x * row;
@@ -162,7 +162,7 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     std::uint32_t salt = gabor_impl_salt(seed);
     gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborImplHills hills = GaborImplHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, gabor_vec3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, gabor_vec3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, gabor_vec3(y.z, slope_y.z, curvature_y.z));
@@ -173,23 +173,26 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     float unit = 1.6825360e-9f * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
     gabor_vec2 noise = unit * hills.value, wave = gabor_cpp_exp(3.1582734f * (kept * kept - 1.0f)) * gabor_impl_wave(0.4f * noise.y);
     float rough = 0.3f + 0.12f * noise.x, height = noise.x + rough * wave.y;
-    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b; by ab and bb:
+    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
+    // by ab and bb:
     gabor_vec2 first = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
     gabor_vec2 second = 0.33f * unit * unit * gabor_vec2(0.30159289f * wave.x, -6.3165468f * rough * wave.y);
     gabor_vec2 along_x = hills.slope_x, along_y = hills.slope_y;
     gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
-    gabor_vec3 curvature = gabor_vec3(gabor_cpp_dot(first, hills.curvature_xx) + along_x.y * (2.0f * second.x * along_x.x + second.y * along_x.y),
-                          gabor_cpp_dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
-                              + second.y * along_x.y * along_y.y,
-                          gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
+    gabor_vec3 curvature =
+        gabor_vec3(gabor_cpp_dot(first, hills.curvature_xx) + along_x.y * (2.0f * second.x * along_x.x + second.y * along_x.y),
+               gabor_cpp_dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                   + second.y * along_x.y * along_y.y,
+               gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
     curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
     float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
-    return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33f * slope};
+    return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature,
+                        to_ridge * to_ridge * to_ridge / 0.33f * slope};
 }
 
-// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
-// direction.
-struct GaborBentField {
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
+// a direction.
+struct GaborImplBentField {
     gabor_vec2 value;
     gabor_vec2 along_x;
     gabor_vec2 along_y;
@@ -197,7 +200,8 @@ struct GaborBentField {
 };
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, gabor_vec4& places, GaborAxis x, GaborAxis y, int j) {
+GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, gabor_vec4& places, GaborImplAxis x, GaborImplAxis y,
+                             int j) {
     gabor_vec4 before = gabor_vec4(0.0f), row = gabor_vec4(0.0f), after = gabor_vec4(0.0f);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -218,11 +222,11 @@ GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, 
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
+GABOR_INLINE GaborImplBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     gabor_vec4 sum = gabor_vec4(0.0f), places = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -236,12 +240,12 @@ GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 w
     gabor_vec2 nodes = direction.x * places.xy() + direction.y * places.zw();
     gabor_vec2 bent = gabor_cpp_dot(direction, gabor_vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField{value, gabor_vec2(field.quadrature_gradient.x, field.gradient.x),
-                          gabor_vec2(field.quadrature_gradient.y, field.gradient.y), gabor_vec2(-bent.y, bent.x)};
+    return GaborImplBentField{value, gabor_vec2(field.quadrature_gradient.x, field.gradient.x),
+                              gabor_vec2(field.quadrature_gradient.y, field.gradient.y), gabor_vec2(-bent.y, bent.x)};
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
-// by the rounding.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
+// and by the rounding.
 GABOR_INLINE gabor_vec3 gabor_impl_mask(float t, float rounding) {
     float part = t < rounding ? t / rounding : 1.0f; // how far t is into the rounded start
     float s = gabor_cpp_max(1.0f - part * (t - 0.5f * part * rounding), 0.0f), slope = s * part;
@@ -257,12 +261,14 @@ GABOR_INLINE gabor_vec3 gabor_impl_mask(float t, float rounding) {
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2(by x, by y).
 // A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
-GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
+GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion,
+                             std::uint32_t seed) {
     gabor_vec2 steer = base.slope, steer_x = base.curvature.xy(), steer_y = base.curvature.yz();
     float gully = base.ridge, ridge = base.ridge, sum = 0.0f; // t_i, t_i with w = 1, sum_i depth_i t_i
     gabor_vec2 gully_slope = base.ridge_slope, sum_slope = gabor_vec2(0.0f);
     float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
-    float mask = 1.0f, open = 1.0f, rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
+    float mask = 1.0f, open = 1.0f;
+    float rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
     gabor_vec2 mask_slope = gabor_vec2(0.0f), open_slope = gabor_vec2(0.0f);
     float rounded = 0.5f * (erosion.ridge_rounding - erosion.crease_rounding), peak = gabor_cpp_clamp(base.ridge, 0.0f, 1.0f);
     gabor_vec2 rounding_slope = rounded * base.ridge_slope;
@@ -279,14 +285,15 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
             open_slope = (1.0f - peak * peak) * mask_slope + (1.0f - mask) * 2.0f * peak * base.ridge_slope;
         }
         gabor_vec2 wave = frequency * across;
-        gabor_vec2 bend = frequency / steep * gabor_vec2(gabor_cpp_dot(across, steer_x), gabor_cpp_dot(across, steer_y)); // the wave changes by -down * bend
+        // The wave changes by -down * bend.
+        gabor_vec2 bend = frequency / steep * gabor_vec2(gabor_cpp_dot(across, steer_x), gabor_cpp_dot(across, steer_y));
         gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(wave, dx), gabor_cpp_dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
         float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f);
         gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -303,7 +310,8 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         ridge = gabor_cpp_mix(ridge, z.x, mask);
         sum += depth * gully;
         sum_slope += depth * gully_slope;
-        float side = z.y < 0.0f ? -1.0f : 1.0f, turns = 6.2831853f * depth * erosion.branching * erosion.gully_weight * side;
+        float side = z.y < 0.0f ? -1.0f : 1.0f;
+        float turns = 6.2831853f * depth * erosion.branching * erosion.gully_weight * side;
         float turn = turns * kept * mask;
         gabor_vec2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;
@@ -313,7 +321,8 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * z.x);
         rounding_slope = rounded * gabor_vec2(z_x.x, z_y.x);
         gabor_vec3 edge = gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), wide * rounding);
-        gabor_vec2 edge_slope = edge.y * side * gabor_vec2(z_x.y, z_y.y) - 0.5f * edge.y * kept_slope + edge.z * wide * rounding_slope;
+        gabor_vec2 edge_slope =
+            edge.y * side * gabor_vec2(z_x.y, z_y.y) - 0.5f * edge.y * kept_slope + edge.z * wide * rounding_slope;
         float reach = 1.0f / (1.0f + mask * (erosion.detail - 1.0f));
         mask_slope = erosion.detail * reach * (reach * edge.x * mask_slope + mask * edge_slope);
         mask *= erosion.detail * reach * edge.x;
@@ -345,4 +354,4 @@ GABOR_INLINE gabor_vec4 gabor_ground(GaborTerrain terrain) {
     return gabor_vec4((1.0f - snow) * gabor_vec3((1.0f - rock) * gabor_vec2(1.0f - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_HPP
+#endif

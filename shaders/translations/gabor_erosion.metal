@@ -21,7 +21,7 @@ using namespace metal;
 #error Include gabor_noise.metal before gabor_erosion.metal
 #endif
 #ifndef GABOR_EROSION_METAL
-#define GABOR_EROSION_METAL
+#define GABOR_EROSION_METAL 1
 
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
@@ -33,17 +33,17 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-                           // equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-                           // rms slope of a map leaves its valleys open
-    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
-                           // even stripes
+    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+                           // for equal slopes
+    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+                           // the rms slope of a map leaves its valleys open
+    float detail;          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
+                           // for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -58,16 +58,16 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
-//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
-//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
-//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
-//     draw it as a heightmap first, which has its curvature in nine texels.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
+//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
+//     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
+//     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
 // float4 gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
-//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
-//     those of gabor_terrain.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
+//     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
+//     -1 to 1, as those of gabor_terrain.
 
 struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(int2(0), p, float2(0.0)) for a point
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
@@ -122,12 +122,12 @@ inline uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
     int first = gabor_impl_wrap(index - 1, period);
     int second = gabor_impl_next_node(first, period);
     int third = gabor_impl_next_node(second, period);
-    return uint4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt), gabor_impl_line_word(third, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
+    return uint4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     float2 value;
     float2 slope_x;
     float2 slope_y;
@@ -138,7 +138,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-inline void gabor_impl_add_hill_row(thread GaborHills& sum, uint4 words, float4 x, float4 slope_x, float4 curvature_x, float3 y) {
+inline void gabor_impl_add_hill_row(thread GaborImplHills& sum, uint4 words, float4 x, float4 slope_x, float4 curvature_x, float3 y) {
     float4 a = float4(int4(words)), b = float4(int4(words << 16u));
     float2 row = float2(dot(x, a), dot(x, b)), along_x = float2(dot(slope_x, a), dot(slope_x, b));
     sum.value += y.x * row;
@@ -163,7 +163,7 @@ inline GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2
     uint salt = gabor_impl_salt(seed);
     uint4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uint4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills{float2(0.0), float2(0.0), float2(0.0), float2(0.0), float2(0.0), float2(0.0)};
+    GaborImplHills hills = GaborImplHills{float2(0.0), float2(0.0), float2(0.0), float2(0.0), float2(0.0), float2(0.0)};
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, float3(y.x, slope_y.x, curvature_y.x));
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, float3(y.y, slope_y.y, curvature_y.y));
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, float3(y.z, slope_y.z, curvature_y.z));
@@ -174,23 +174,26 @@ inline GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2
     float unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
     float2 noise = unit * hills.value, wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
     float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
-    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b; by ab and bb:
+    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
+    // by ab and bb:
     float2 first = 0.33 * unit * float2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
     float2 second = 0.33 * unit * unit * float2(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     float2 along_x = hills.slope_x, along_y = hills.slope_y;
     float2 slope = place.radius * float2(dot(first, along_x), dot(first, along_y));
-    float3 curvature = float3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
-                          dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
-                              + second.y * along_x.y * along_y.y,
-                          dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
+    float3 curvature =
+        float3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
+               dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                   + second.y * along_x.y * along_y.y,
+               dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= float3(place.radius * place.radius.x, place.radius.y * place.radius.y);
     float to_ridge = rsqrt(1.0 + height * height);
-    return GaborTerrain{0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope};
+    return GaborTerrain{0.33 * height, slope, height * to_ridge, curvature,
+                        to_ridge * to_ridge * to_ridge / 0.33 * slope};
 }
 
-// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
-// direction.
-struct GaborBentField {
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
+// a direction.
+struct GaborImplBentField {
     float2 value;
     float2 along_x;
     float2 along_y;
@@ -198,7 +201,8 @@ struct GaborBentField {
 };
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-inline void gabor_impl_add_bent_row(thread float4& sum, thread float2& along_y, thread float4& places, GaborAxis x, GaborAxis y, int j) {
+inline void gabor_impl_add_bent_row(thread float4& sum, thread float2& along_y, thread float4& places, GaborImplAxis x, GaborImplAxis y,
+                             int j) {
     float4 before = float4(0.0), row = float4(0.0), after = float4(0.0);
     gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
@@ -219,11 +223,11 @@ inline void gabor_impl_add_bent_row(thread float4& sum, thread float2& along_y, 
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-inline GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direction, uint seed) {
+inline GaborImplBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     float4 sum = float4(0.0), places = float4(0.0);
     float2 along_y = float2(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -237,12 +241,12 @@ inline GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float
     float2 nodes = direction.x * places.xy + direction.y * places.zw;
     float2 bent = dot(direction, float2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborBentField{value, float2(field.quadrature_gradient.x, field.gradient.x),
-                          float2(field.quadrature_gradient.y, field.gradient.y), float2(-bent.y, bent.x)};
+    return GaborImplBentField{value, float2(field.quadrature_gradient.x, field.gradient.x),
+                              float2(field.quadrature_gradient.y, field.gradient.y), float2(-bent.y, bent.x)};
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
-// by the rounding.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
+// and by the rounding.
 inline float3 gabor_impl_mask(float t, float rounding) {
     float part = t < rounding ? t / rounding : 1.0; // how far t is into the rounded start
     float s = max(1.0 - part * (t - 0.5 * part * rounding), 0.0), slope = s * part;
@@ -258,12 +262,14 @@ inline float3 gabor_impl_mask(float t, float rounding) {
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are float2(by x, by y).
 // A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
-inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
+                             uint seed) {
     float2 steer = base.slope, steer_x = base.curvature.xy, steer_y = base.curvature.yz;
     float gully = base.ridge, ridge = base.ridge, sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
     float2 gully_slope = base.ridge_slope, sum_slope = float2(0.0);
     float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
-    float mask = 1.0, open = 1.0, rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
+    float mask = 1.0, open = 1.0;
+    float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     float2 mask_slope = float2(0.0), open_slope = float2(0.0);
     float rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding), peak = clamp(base.ridge, 0.0, 1.0);
     float2 rounding_slope = rounded * base.ridge_slope;
@@ -280,14 +286,15 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
             open_slope = (1.0 - peak * peak) * mask_slope + (1.0 - mask) * 2.0 * peak * base.ridge_slope;
         }
         float2 wave = frequency * across;
-        float2 bend = frequency / steep * float2(dot(across, steer_x), dot(across, steer_y)); // the wave changes by -down * bend
+        // The wave changes by -down * bend.
+        float2 bend = frequency / steep * float2(dot(across, steer_x), dot(across, steer_y));
         float2 steps = float2(dot(wave, dx), dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
         float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0);
         float2 z = float2(0.0), z_x = float2(0.0), z_y = float2(0.0), kept_slope = float2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = rsqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -304,7 +311,8 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
         ridge = mix(ridge, z.x, mask);
         sum += depth * gully;
         sum_slope += depth * gully_slope;
-        float side = z.y < 0.0 ? -1.0 : 1.0, turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
+        float side = z.y < 0.0 ? -1.0 : 1.0;
+        float turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
         float turn = turns * kept * mask;
         float2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;
@@ -314,7 +322,8 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         rounding_slope = rounded * float2(z_x.x, z_y.x);
         float3 edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
-        float2 edge_slope = edge.y * side * float2(z_x.y, z_y.y) - 0.5 * edge.y * kept_slope + edge.z * wide * rounding_slope;
+        float2 edge_slope =
+            edge.y * side * float2(z_x.y, z_y.y) - 0.5 * edge.y * kept_slope + edge.z * wide * rounding_slope;
         float reach = 1.0 / (1.0 + mask * (erosion.detail - 1.0));
         mask_slope = erosion.detail * reach * (reach * edge.x * mask_slope + mask * edge_slope);
         mask *= erosion.detail * reach * edge.x;
@@ -346,4 +355,4 @@ inline float4 gabor_ground(GaborTerrain terrain) {
     return float4((1.0 - snow) * float3((1.0 - rock) * float2(1.0 - scree, scree), rock), snow);
 }
 
-#endif // GABOR_EROSION_METAL
+#endif

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c00f73d7b750160f.
+// naga 30.0.1 made it from GLSL with the digest 74c6457dc096269c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -25,14 +25,14 @@ struct GaborTerrain {
 }
 
 struct GaborErosion {
-    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
     frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     strength: f32, // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-    detail: f32, // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
+    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+    detail: f32, // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
     ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
     gully_weight: f32, // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -47,16 +47,16 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // GaborTerrain gabor_eroded(vec2f p, GaborTerrain base, GaborErosion erosion, u32 seed)
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
-//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
-//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
-//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
-//     draw it as a heightmap first, which has its curvature in nine texels.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
+//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
+//     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
+//     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
 // vec4f gabor_ground(GaborTerrain terrain)
-//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
-//     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
-//     those of gabor_terrain.
+//     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
+//     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
+//     -1 to 1, as those of gabor_terrain.
 
 struct GaborTerrainPlace {
     cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis
@@ -175,7 +175,7 @@ fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
 }
 
 // Two noises and their derivatives.
-struct GaborHills {
+struct GaborImplHills {
     value: vec2<f32>,
     slope_x: vec2<f32>,
     slope_y: vec2<f32>,
@@ -186,7 +186,7 @@ struct GaborHills {
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborImplHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
     var row_1: vec2<f32>;
@@ -238,7 +238,7 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var salt_5: u32;
     var columns: vec4<u32>;
     var rows: vec4<u32>;
-    var hills: GaborHills = GaborHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
+    var hills: GaborImplHills = GaborImplHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
     var s_2: vec4<f32>;
     var area: f32;
     var kept: f32;
@@ -409,9 +409,9 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
 }
 
-// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
-// direction.
-struct GaborBentField {
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
+// a direction.
+struct GaborImplBentField {
     value: vec2<f32>,
     along_x: vec2<f32>,
     along_y: vec2<f32>,
@@ -419,7 +419,7 @@ struct GaborBentField {
 }
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32) {
+fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, j: i32) {
     var before: vec4<f32> = vec4(0f);
     var row_2: vec4<f32> = vec4(0f);
     var after: vec4<f32> = vec4(0f);
@@ -472,11 +472,11 @@ fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function,
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborBentField {
+fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborImplBentField {
     var direction_1: vec2<f32>;
     var salt_6: u32;
-    var x_8: GaborAxis;
-    var y_7: GaborAxis;
+    var x_8: GaborImplAxis;
+    var y_7: GaborImplAxis;
     var sum_7: vec4<f32> = vec4(0f);
     var places_1: vec4<f32> = vec4(0f);
     var along_y_3: vec2<f32> = vec2(0f);
@@ -555,11 +555,11 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     let _e178 = field_4;
     let _e182 = bent;
     let _e185 = bent;
-    return GaborBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
+    return GaborImplBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
-// by the rounding.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
+// and by the rounding.
 fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
     var local_12: f32;
     var part: f32;
@@ -631,7 +631,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var z_y: vec2<f32>;
     var kept_slope: vec2<f32>;
     var place_6: GaborPlace;
-    var field_5: GaborBentField;
+    var field_5: GaborImplBentField;
     var shrink: f32;
     var crest: f32;
     var local_13: f32;

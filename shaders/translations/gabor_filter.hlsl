@@ -2,8 +2,8 @@
 //
 // gabor_filter.hlsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.hlsl, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.hlsl, if
+// you filter its noises.
 //
 //     float2 f = gabor_noise_filtered(p, ddx(p), ddy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -18,8 +18,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: ddx(p) and ddy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -30,7 +30,7 @@
 #error gabor_filter.hlsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_FILTER_HLSL
-#define GABOR_FILTER_HLSL
+#define GABOR_FILTER_HLSL 1
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed).
@@ -47,9 +47,9 @@
 
 #ifdef GABOR_SPECTRUM_HLSL
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy, float frequency, uint seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, float2 dx, float2 dy, GaborLobes lobes, uint seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -99,25 +99,25 @@ float gabor_impl_transmitted(float2 wave, float3 covariance) {
 }
 
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
-struct GaborFootprint {
+struct GaborImplFootprint {
     float3 covariance;
     float3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 
-GaborFootprint GaborFootprint_of(float3 covariance, float3 resolved)
+GaborImplFootprint GaborImplFootprint_of(float3 covariance, float3 resolved)
 {
-    GaborFootprint made;
+    GaborImplFootprint made;
     made.covariance = covariance;
     made.resolved = resolved;
     return made;
 }
 
-GaborFootprint gabor_impl_footprint(float2 dx, float2 dy) {
+GaborImplFootprint gabor_impl_footprint(float2 dx, float2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
         dx = float2(1.0e5, 0.0);
         dy = float2(0.0, 1.0e5);
     }
-    GaborFootprint footprint;
+    GaborImplFootprint footprint;
     footprint.covariance = 0.25 * float3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
     // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
@@ -153,7 +153,7 @@ float4 gabor_impl_filtered_derivative(float4 node, float faded, float2 phase) {
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out GaborAxis derivative) {
+void gabor_impl_filter(inout GaborImplAxis axis, float variance, float blurred, out GaborImplAxis derivative) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
@@ -174,7 +174,7 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out 
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
+float2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float moment) {
     float4 sum, slope;
     gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy + coupling * slope.zw;
@@ -183,12 +183,12 @@ float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling,
 // The filtered noise at `place`, with three waves along each axis.
 GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                     GABOR_RADIUS);
+    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                         GABOR_RADIUS);
     float2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
+    GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -198,14 +198,14 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
-struct GaborFactors {
+struct GaborImplFactors {
     float3 real;
     float3 imaginary;
 };
 
-GaborFactors GaborFactors_of(float3 real, float3 imaginary)
+GaborImplFactors GaborImplFactors_of(float3 real, float3 imaginary)
 {
-    GaborFactors made;
+    GaborImplFactors made;
     made.real = real;
     made.imaginary = imaginary;
     return made;
@@ -214,7 +214,7 @@ GaborFactors GaborFactors_of(float3 real, float3 imaginary)
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborFilteredAxis {
+struct GaborImplFilteredAxis {
     float3 even_0;
     float3 even_1;
     float3 even_2;
@@ -232,9 +232,9 @@ struct GaborFilteredAxis {
     float2 back;      // the same for the noise's wave
 };
 
-GaborFilteredAxis GaborFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1, float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt, float2 turn_back, float2 back)
+GaborImplFilteredAxis GaborImplFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1, float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt, float2 turn_back, float2 back)
 {
-    GaborFilteredAxis made;
+    GaborImplFilteredAxis made;
     made.even_0 = even_0;
     made.even_1 = even_1;
     made.even_2 = even_2;
@@ -255,8 +255,9 @@ GaborFilteredAxis GaborFilteredAxis_of(float3 even_0, float3 even_1, float3 even
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
-    GaborFilteredAxis b;
+GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period,
+                                               uint salt, float2 step) {
+    GaborImplFilteredAxis b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
     float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
@@ -295,17 +296,17 @@ GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, in
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborFilteredLine {
+struct GaborImplFilteredLine {
     uint word;
-    GaborFactors window;
+    GaborImplFactors window;
     float2 fade;  // factor of the window, and its derivative
     float2 turn;  // e^(2 pi i d / 2w)
     float2 phase; // the same for the noise's wave
 };
 
-GaborFilteredLine GaborFilteredLine_of(uint word, GaborFactors window, float2 fade, float2 turn, float2 phase)
+GaborImplFilteredLine GaborImplFilteredLine_of(uint word, GaborImplFactors window, float2 fade, float2 turn, float2 phase)
 {
-    GaborFilteredLine made;
+    GaborImplFilteredLine made;
     made.word = word;
     made.window = window;
     made.fade = fade;
@@ -315,48 +316,48 @@ GaborFilteredLine GaborFilteredLine_of(uint word, GaborFactors window, float2 fa
 }
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-float2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+float2 gabor_impl_fade(GaborImplFilteredAxis b, int index) {
     float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
     return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
-GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, float2 turn, float2 phase, float2 fade) {
-    GaborFilteredLine line_;
+GaborImplFilteredLine gabor_impl_filtered_line(GaborImplFilteredAxis b, int index, float2 turn, float2 phase, float2 fade) {
+    GaborImplFilteredLine line_;
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = turn;
     line_.phase = phase;
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     line_.fade = fade;
-    line_.window = GaborFactors_of(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
+    line_.window = GaborImplFactors_of(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
     return line_;
 }
 
 // Computes line `index` from the previous one.
-GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, float2 fade) {
+GaborImplFilteredLine gabor_impl_next_line(GaborImplFilteredLine line_, GaborImplFilteredAxis b, int index, float2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
 // The line's window with its fade.
-GaborFactors gabor_impl_faded(GaborFilteredLine line_) {
-    return GaborFactors_of(line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary);
+GaborImplFactors gabor_impl_faded(GaborImplFilteredLine line_) {
+    return GaborImplFactors_of(line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary);
 }
 
 // The four or five columns of nodes that reach a point.
-struct GaborColumns {
-    GaborFilteredLine column_0;
-    GaborFilteredLine column_1;
-    GaborFilteredLine column_2;
-    GaborFilteredLine column_3;
-    GaborFilteredLine column_4;
+struct GaborImplColumns {
+    GaborImplFilteredLine column_0;
+    GaborImplFilteredLine column_1;
+    GaborImplFilteredLine column_2;
+    GaborImplFilteredLine column_3;
+    GaborImplFilteredLine column_4;
     bool five;
 };
 
-GaborColumns GaborColumns_of(GaborFilteredLine column_0, GaborFilteredLine column_1, GaborFilteredLine column_2, GaborFilteredLine column_3, GaborFilteredLine column_4, bool five)
+GaborImplColumns GaborImplColumns_of(GaborImplFilteredLine column_0, GaborImplFilteredLine column_1, GaborImplFilteredLine column_2, GaborImplFilteredLine column_3, GaborImplFilteredLine column_4, bool five)
 {
-    GaborColumns made;
+    GaborImplColumns made;
     made.column_0 = column_0;
     made.column_1 = column_1;
     made.column_2 = column_2;
@@ -366,8 +367,8 @@ GaborColumns GaborColumns_of(GaborFilteredLine column_0, GaborFilteredLine colum
     return made;
 }
 
-GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
-    GaborColumns columns;
+GaborImplColumns gabor_impl_columns(GaborImplFilteredAxis b) {
+    GaborImplColumns columns;
     float2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, float2(1.0, 0.0), gabor_impl_fade(b, 0));
@@ -380,30 +381,31 @@ GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, float2 phase) {
-    GaborFilteredLine line_;
+GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis b, float2 phase) {
+    GaborImplFilteredLine line_;
     line_.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));
     line_.phase = phase;
     return line_;
 }
 
 // Returns the sum plus a complex number times the factors.
-GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
-    return GaborFactors_of(sum.real + (real * factors.real - imaginary * factors.imaginary),
-                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
+GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors factors, float real, float imaginary) {
+    return GaborImplFactors_of(sum.real + (real * factors.real - imaginary * factors.imaginary),
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-void gabor_impl_add_filtered_node(inout GaborFactors row, inout GaborFactors edge, GaborFilteredLine column, uint row_word,
-                                  float moment) {
+void gabor_impl_add_filtered_node(inout GaborImplFactors row, inout GaborImplFactors edge, GaborImplFilteredLine column,
+                                  uint row_word, float moment) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float moment, out GaborFactors edge) {
-    GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0)), none = row;
+GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float moment,
+                                         out GaborImplFactors edge) {
+    GaborImplFactors row = GaborImplFactors_of((float3)(0.0), (float3)(0.0)), none = row;
     edge = row;
     gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
     gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
@@ -414,12 +416,12 @@ GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float 
 }
 
 // Drops the first factor and moves the others up by one.
-GaborFactors gabor_impl_next(GaborFactors f) {
-    return GaborFactors_of(float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0));
+GaborImplFactors gabor_impl_next(GaborImplFactors f) {
+    return GaborImplFactors_of(float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0));
 }
 
 // The weighted sum of the products of two axes' factors.
-float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
+float2 gabor_impl_contracted(GaborImplFactors a, GaborImplFactors b, float3 weights) {
     return float2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
@@ -437,21 +439,21 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     float3 weights = float3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     float2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
-                                       step_x);
-    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
-                                      salt ^ GABOR_IMPL_ROWS, step_y);
-    GaborColumns columns = gabor_impl_columns(across);
-    GaborFilteredLine line_ = gabor_impl_line_before(
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborImplColumns columns = gabor_impl_columns(across);
+    GaborImplFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0), edge_x = (float2)(0.0), edge_y = (float2)(0.0);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors_of((float3)(0.0), (float3)(0.0)); // DXC warns of structs that only a call sets
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
-        GaborFactors window = gabor_impl_faded(line_);
+        GaborImplFactors edge = GaborImplFactors_of((float3)(0.0), (float3)(0.0)); // DXC warns of structs that only a call sets
+        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborImplFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
@@ -471,12 +473,12 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
-float gabor_impl_wide_share(GaborFootprint footprint) {
+float gabor_impl_wide_share(GaborImplFootprint footprint) {
     return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
 
 // Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
-GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float wide, float2 wave, uint seed) {
+GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, float wide, float2 wave, uint seed) {
     float2 stretch = place.radius / GABOR_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -500,7 +502,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float
 
 GaborField gabor_field_filtered(GaborPlace place, float2 dx, float2 dy, float2 wave, uint seed) {
     float2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
 
@@ -543,25 +545,25 @@ float gabor_impl_transmitted_isotropic_2d(float frequency, float3 covariance) {
 }
 
 // A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
-struct GaborWindows {
+struct GaborImplWindows {
     float2 middle;
     float2 cosine;
     float2 sine;
 };
 
-GaborWindows GaborWindows_of(float2 middle, float2 cosine, float2 sine)
+GaborImplWindows GaborImplWindows_of(float2 middle, float2 cosine, float2 sine)
 {
-    GaborWindows made;
+    GaborImplWindows made;
     made.middle = middle;
     made.cosine = cosine;
     made.sine = sine;
     return made;
 }
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
-void gabor_impl_add_filtered_wave(inout GaborField sum, GaborWindows node, float2 faded, float3 s, float2 a, float2 wave) {
+void gabor_impl_add_filtered_wave(inout GaborField sum, GaborImplWindows node, float2 faded, float3 s, float2 a, float2 wave) {
     float2 x = 19.739209 * gabor_impl_symmetric(s, wave);
     a *= exp(-max(dot(wave, x), 0.0));
     x = clamp(x, -3.0, 3.0); // changes no wave that the filter keeps
@@ -593,22 +595,25 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy
     s *= 0.04 / max(0.5 * (s.x + s.y + length(float2(s.x - s.y, 2.0 * s.z))), 0.04);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
-    float2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= float3(stretch * stretch, stretch.x * stretch.y);
     float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             float2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             float2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             float2 cosine = fall * (float2(x.node[i].x, y.node[j].x) - 0.5);
-            GaborWindows node = GaborWindows_of(0.5 * fade, fade * cosine, fade * fall * float2(x.node[i].z, y.node[j].z));
+            GaborImplWindows node =
+                GaborImplWindows_of(0.5 * fade, fade * cosine, fade * fall * float2(x.node[i].z, y.node[j].z));
             float2 faded = change / max(fade, 1.0e-6); // derivative of the logarithm of the fade
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);
@@ -618,6 +623,6 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy
     gabor_impl_add_field(field, sum, amplitude, stretch);
     return field;
 }
-#endif // GABOR_SPECTRUM_HLSL
+#endif
 
-#endif // GABOR_FILTER_HLSL
+#endif

@@ -3,8 +3,8 @@
 //
 // gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if
+// you filter its noises.
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -19,8 +19,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -33,7 +33,7 @@
 #error gabor_filter.hpp needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_FILTER_HPP
-#define GABOR_FILTER_HPP
+#define GABOR_FILTER_HPP 1
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed).
@@ -50,9 +50,9 @@
 
 #ifdef GABOR_SPECTRUM_HPP
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, float frequency, uint seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -102,17 +102,17 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
 }
 
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
-struct GaborFootprint {
+struct GaborImplFootprint {
     gabor_vec3 covariance;
     gabor_vec3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 
-GABOR_INLINE GaborFootprint gabor_impl_footprint(gabor_vec2 dx, gabor_vec2 dy) {
+GABOR_INLINE GaborImplFootprint gabor_impl_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: no wave is left
         dx = gabor_vec2(1.0e5f, 0.0f);
         dy = gabor_vec2(0.0f, 1.0e5f);
     }
-    GaborFootprint footprint;
+    GaborImplFootprint footprint;
     footprint.covariance = 0.25f * gabor_vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
     // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
@@ -148,7 +148,7 @@ GABOR_INLINE gabor_vec4 gabor_impl_filtered_derivative(gabor_vec4 node, float fa
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred, GaborAxis& derivative) {
+GABOR_INLINE void gabor_impl_filter(GaborImplAxis& axis, float variance, float blurred, GaborImplAxis& derivative) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
@@ -169,7 +169,7 @@ GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurr
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
+GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float moment) {
     gabor_vec4 sum, slope;
     gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy() + coupling * slope.zw();
@@ -178,12 +178,12 @@ GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows
 // The filtered noise at `place`, with three waves along each axis.
 GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                     GABOR_RADIUS);
+    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                         GABOR_RADIUS);
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    GaborAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
+    GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
     gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
@@ -193,7 +193,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
-struct GaborFactors {
+struct GaborImplFactors {
     gabor_vec3 real;
     gabor_vec3 imaginary;
 };
@@ -201,7 +201,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborFilteredAxis {
+struct GaborImplFilteredAxis {
     gabor_vec3 even_0;
     gabor_vec3 even_1;
     gabor_vec3 even_2;
@@ -221,8 +221,9 @@ struct GaborFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
-    GaborFilteredAxis b;
+GABOR_INLINE GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period,
+                                               std::uint32_t salt, gabor_vec2 step) {
+    GaborImplFilteredAxis b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
     b.count = b.reach > 2.0f ? 5 : 4;
     float zero = gabor_cpp_floor(local + (b.count == 5 ? 0.5f : 1.0f)) - 2.0f;
@@ -261,56 +262,56 @@ GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborFilteredLine {
+struct GaborImplFilteredLine {
     std::uint32_t word;
-    GaborFactors window;
+    GaborImplFactors window;
     gabor_vec2 fade;  // factor of the window, and its derivative
     gabor_vec2 turn;  // e^(2 pi i d / 2w)
     gabor_vec2 phase; // the same for the noise's wave
 };
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborImplFilteredAxis b, int index) {
     float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
     return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
 }
 
 // Computes line `index` from its turn and phase.
-GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, gabor_vec2 fade) {
-    GaborFilteredLine line_;
+GABOR_INLINE GaborImplFilteredLine gabor_impl_filtered_line(GaborImplFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, gabor_vec2 fade) {
+    GaborImplFilteredLine line_;
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = turn;
     line_.phase = phase;
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     line_.fade = fade;
-    line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    line_.window = GaborImplFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
     return line_;
 }
 
 // Computes line `index` from the previous one.
-GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, gabor_vec2 fade) {
+GABOR_INLINE GaborImplFilteredLine gabor_impl_next_line(GaborImplFilteredLine line_, GaborImplFilteredAxis b, int index, gabor_vec2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
 // The line's window with its fade.
-GABOR_INLINE GaborFactors gabor_impl_faded(GaborFilteredLine line_) {
-    return GaborFactors{line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary};
+GABOR_INLINE GaborImplFactors gabor_impl_faded(GaborImplFilteredLine line_) {
+    return GaborImplFactors{line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary};
 }
 
 // The four or five columns of nodes that reach a point.
-struct GaborColumns {
-    GaborFilteredLine column_0;
-    GaborFilteredLine column_1;
-    GaborFilteredLine column_2;
-    GaborFilteredLine column_3;
-    GaborFilteredLine column_4;
+struct GaborImplColumns {
+    GaborImplFilteredLine column_0;
+    GaborImplFilteredLine column_1;
+    GaborImplFilteredLine column_2;
+    GaborImplFilteredLine column_3;
+    GaborImplFilteredLine column_4;
     bool five;
 };
 
-GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
-    GaborColumns columns;
+GABOR_INLINE GaborImplColumns gabor_impl_columns(GaborImplFilteredAxis b) {
+    GaborImplColumns columns;
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, gabor_vec2(1.0f, 0.0f), gabor_impl_fade(b, 0));
@@ -323,30 +324,31 @@ GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor_vec2 phase) {
-    GaborFilteredLine line_;
+GABOR_INLINE GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis b, gabor_vec2 phase) {
+    GaborImplFilteredLine line_;
     line_.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
     line_.phase = phase;
     return line_;
 }
 
 // Returns the sum plus a complex number times the factors.
-GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
-    return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
-                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
+GABOR_INLINE GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors factors, float real, float imaginary) {
+    return GaborImplFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFactors& edge, GaborFilteredLine column, std::uint32_t row_word,
-                                  float moment) {
+GABOR_INLINE void gabor_impl_add_filtered_node(GaborImplFactors& row, GaborImplFactors& edge, GaborImplFilteredLine column,
+                                  std::uint32_t row_word, float moment) {
     gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float moment, GaborFactors& edge) {
-    GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
+GABOR_INLINE GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, std::uint32_t row_word, float moment,
+                                         GaborImplFactors& edge) {
+    GaborImplFactors row = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
     edge = row;
     gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
     gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
@@ -357,12 +359,12 @@ GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uin
 }
 
 // Drops the first factor and moves the others up by one.
-GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
-    return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
+GABOR_INLINE GaborImplFactors gabor_impl_next(GaborImplFactors f) {
+    return GaborImplFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
 }
 
 // The weighted sum of the products of two axes' factors.
-GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights) {
+GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborImplFactors a, GaborImplFactors b, gabor_vec3 weights) {
     return gabor_vec2(gabor_cpp_dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
@@ -380,21 +382,21 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
-                                       step_x);
-    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
-                                      salt ^ GABOR_IMPL_ROWS, step_y);
-    GaborColumns columns = gabor_impl_columns(across);
-    GaborFilteredLine line_ = gabor_impl_line_before(
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborImplColumns columns = gabor_impl_columns(across);
+    GaborImplFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors edge = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // DXC warns of structs that only a call sets
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
-        GaborFactors window = gabor_impl_faded(line_);
+        GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // DXC warns of structs that only a call sets
+        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborImplFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
@@ -414,12 +416,12 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
-GABOR_INLINE float gabor_impl_wide_share(GaborFootprint footprint) {
+GABOR_INLINE float gabor_impl_wide_share(GaborImplFootprint footprint) {
     return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
 }
 
 // Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
-GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float wide, gabor_vec2 wave, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, float wide, gabor_vec2 wave, std::uint32_t seed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -443,7 +445,7 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint foo
 
 GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 wave, std::uint32_t seed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
 
@@ -486,16 +488,16 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_ve
 }
 
 // A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
-struct GaborWindows {
+struct GaborImplWindows {
     gabor_vec2 middle;
     gabor_vec2 cosine;
     gabor_vec2 sine;
 };
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
-GABOR_INLINE void gabor_impl_add_filtered_wave(GaborField& sum, GaborWindows node, gabor_vec2 faded, gabor_vec3 s, gabor_vec2 a, gabor_vec2 wave) {
+GABOR_INLINE void gabor_impl_add_filtered_wave(GaborField& sum, GaborImplWindows node, gabor_vec2 faded, gabor_vec3 s, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 x = 19.739209f * gabor_impl_symmetric(s, wave);
     a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
     x = gabor_cpp_clamp(x, -3.0f, 3.0f); // changes no wave that the filter keeps
@@ -527,22 +529,25 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(gabor_cpp_min(kept / gabor_cpp_max(narrower, 1.0e-30f), 1.0f));
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
     gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             gabor_vec2 t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
             gabor_vec2 change = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(d);
             gabor_vec2 cosine = fall * (gabor_vec2(x.node[i].x, y.node[j].x) - 0.5f);
-            GaborWindows node = GaborWindows{0.5f * fade, fade * cosine, fade * fall * gabor_vec2(x.node[i].z, y.node[j].z)};
+            GaborImplWindows node =
+                GaborImplWindows{0.5f * fade, fade * cosine, fade * fall * gabor_vec2(x.node[i].z, y.node[j].z)};
             gabor_vec2 faded = change / gabor_cpp_max(fade, 1.0e-6f); // derivative of the logarithm of the fade
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
             gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);
@@ -552,6 +557,6 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     gabor_impl_add_field(field, sum, amplitude, stretch);
     return field;
 }
-#endif // GABOR_SPECTRUM_HPP
+#endif
 
-#endif // GABOR_FILTER_HPP
+#endif

@@ -1,11 +1,11 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 3e742362229e2b84.
+// naga 30.0.1 made it from GLSL with the digest 84b4bb92dd536336.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if you
-// filter its noises.
+// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if
+// you filter its noises.
 //
 //     vec2f f = gabor_noise_filtered(p, dpdx(p), dpdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -20,8 +20,8 @@
 //     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dpdx(p) and dpdy(p), or any two
 //             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
 //             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
-// to its roughness. Gradients are those at a fixed footprint.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost
+// contrast, to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -39,9 +39,9 @@
 //     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2f dx, vec2f dy, f32 frequency, u32 seed)
-//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-//     only the variance is right.
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
+//     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // GaborField gabor_field_lobes_filtered(GaborPlace place, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
@@ -99,15 +99,15 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
 }
 
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
-struct GaborFootprint {
+struct GaborImplFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>, // the same, limited to standard deviations of 1/2, the most that the windows allow
 }
 
-fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
+fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborImplFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
-    var footprint: GaborFootprint;
+    var footprint: GaborImplFootprint;
     var mean: f32;
     var axis_1: vec2<f32>;
     var apart: f32;
@@ -218,7 +218,7 @@ fn gabor_impl_filtered_derivative(node: vec4<f32>, faded: f32, phase: vec2<f32>)
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32, derivative: ptr<function, GaborAxis>) {
+fn gabor_impl_filter(axis: ptr<function, GaborImplAxis>, variance: f32, blurred: f32, derivative: ptr<function, GaborImplAxis>) {
     var rise: f32;
     var part_1: vec2<f32>;
     var width_2: f32;
@@ -298,7 +298,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, moment: f32) -> vec2<f32> {
+fn gabor_impl_coupled_sum(columns: GaborImplAxis, rows: GaborImplAxis, coupling: f32, moment: f32) -> vec2<f32> {
     var sum_9: vec4<f32>;
     var slope_8: vec4<f32>;
     gabor_impl_sum(columns, rows, moment, (&sum_9), (&slope_8));
@@ -310,11 +310,11 @@ fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, mo
 // The filtered noise at `place`, with three waves along each axis.
 fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
     var blurred_1: vec2<f32>;
-    var columns_1: GaborAxis;
-    var rows_1: GaborAxis;
+    var columns_1: GaborImplAxis;
+    var rows_1: GaborImplAxis;
     var turn_7: vec2<f32>;
-    var columns_slope: GaborAxis;
-    var rows_slope: GaborAxis;
+    var columns_slope: GaborImplAxis;
+    var rows_slope: GaborImplAxis;
     var value_8: vec2<f32>;
     var along_x_1: vec2<f32>;
     var along_y_1: vec2<f32>;
@@ -360,7 +360,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
-struct GaborFactors {
+struct GaborImplFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
 }
@@ -368,7 +368,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborFilteredAxis {
+struct GaborImplFilteredAxis {
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,
     even_2_: vec3<f32>,
@@ -388,8 +388,8 @@ struct GaborFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step_: vec2<f32>) -> GaborFilteredAxis {
-    var b_2: GaborFilteredAxis;
+fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step_: vec2<f32>) -> GaborImplFilteredAxis {
+    var b_2: GaborImplFilteredAxis;
     var local_17: i32;
     var local_18: f32;
     var zero_1: f32;
@@ -557,16 +557,16 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborFilteredLine {
+struct GaborImplFilteredLine {
     word: u32,
-    window: GaborFactors,
+    window: GaborImplFactors,
     fade: vec2<f32>, // factor of the window, and its derivative
     turn: vec2<f32>, // e^(2 pi i d / 2w)
     phase: vec2<f32>, // the same for the noise's wave
 }
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> vec2<f32> {
+fn gabor_impl_fade(b: GaborImplFilteredAxis, index: i32) -> vec2<f32> {
     var d_3: f32;
     var t_6: f32;
     d_3 = (b.offset - f32(index));
@@ -581,8 +581,8 @@ fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> vec2<f32> {
 }
 
 // Computes line `index` from its turn and phase.
-fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: vec2<f32>) -> GaborFilteredLine {
-    var line: GaborFilteredLine;
+fn gabor_impl_filtered_line(b: GaborImplFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: vec2<f32>) -> GaborImplFilteredLine {
+    var line: GaborImplFilteredLine;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
     let _e10 = gabor_impl_wrap((b.first + index), b.period);
@@ -597,13 +597,13 @@ fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, p
     let _e47 = imaginary;
     let _e51 = imaginary;
     let _e54 = real;
-    line.window = GaborFactors(((phase.x * _e44) - (phase.y * _e47)), ((phase.x * _e51) + (phase.y * _e54)));
+    line.window = GaborImplFactors(((phase.x * _e44) - (phase.y * _e47)), ((phase.x * _e51) + (phase.y * _e54)));
     let _e58 = line;
     return _e58;
 }
 
 // Computes line `index` from the previous one.
-fn gabor_impl_next_line(line: GaborFilteredLine, b: GaborFilteredAxis, index: i32, fade: vec2<f32>) -> GaborFilteredLine {
+fn gabor_impl_next_line(line: GaborImplFilteredLine, b: GaborImplFilteredAxis, index: i32, fade: vec2<f32>) -> GaborImplFilteredLine {
     let _e6 = gabor_impl_product(line.turn, b.turn_back);
     let _e9 = gabor_impl_product(line.phase, b.back);
     let _e10 = gabor_impl_filtered_line(b, index, _e6, _e9, fade);
@@ -611,22 +611,22 @@ fn gabor_impl_next_line(line: GaborFilteredLine, b: GaborFilteredAxis, index: i3
 }
 
 // The line's window with its fade.
-fn gabor_impl_faded(line: GaborFilteredLine) -> GaborFactors {
-    return GaborFactors((line.fade.x * line.window.real), (line.fade.x * line.window.imaginary));
+fn gabor_impl_faded(line: GaborImplFilteredLine) -> GaborImplFactors {
+    return GaborImplFactors((line.fade.x * line.window.real), (line.fade.x * line.window.imaginary));
 }
 
 // The four or five columns of nodes that reach a point.
-struct GaborColumns {
-    column_0_: GaborFilteredLine,
-    column_1_: GaborFilteredLine,
-    column_2_: GaborFilteredLine,
-    column_3_: GaborFilteredLine,
-    column_4_: GaborFilteredLine,
+struct GaborImplColumns {
+    column_0_: GaborImplFilteredLine,
+    column_1_: GaborImplFilteredLine,
+    column_2_: GaborImplFilteredLine,
+    column_3_: GaborImplFilteredLine,
+    column_4_: GaborImplFilteredLine,
     five: bool,
 }
 
-fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
-    var columns_2: GaborColumns;
+fn gabor_impl_columns(b: GaborImplFilteredAxis) -> GaborImplColumns {
+    var columns_2: GaborImplColumns;
     var turn_9: vec2<f32>;
     let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
     turn_9 = _e7;
@@ -659,8 +659,8 @@ fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilteredLine {
-    var line_3: GaborFilteredLine;
+fn gabor_impl_line_before(b: GaborImplFilteredAxis, phase: vec2<f32>) -> GaborImplFilteredLine {
+    var line_3: GaborImplFilteredLine;
     let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
     line_3.turn = _e11;
     line_3.phase = phase;
@@ -669,12 +669,12 @@ fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilter
 }
 
 // Returns the sum plus a complex number times the factors.
-fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
-    return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
+fn gabor_impl_plus_product(sum: GaborImplFactors, factors: GaborImplFactors, real: f32, imaginary: f32) -> GaborImplFactors {
+    return GaborImplFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, moment: f32) {
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborImplFactors>, edge: ptr<function, GaborImplFactors>, column: GaborImplFilteredLine, row_word: u32, moment: f32) {
     var a_3: vec2<f32>;
     var b_8: vec2<f32>;
     var c_4: vec2<f32>;
@@ -698,9 +698,9 @@ fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<func
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, moment: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
-    var row_3: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    var none: GaborFactors;
+fn gabor_impl_filtered_row(columns: GaborImplColumns, row_word: u32, moment: f32, edge: ptr<function, GaborImplFactors>) -> GaborImplFactors {
+    var row_3: GaborImplFactors = GaborImplFactors(vec3(0f), vec3(0f));
+    var none: GaborImplFactors;
     let _e10 = row_3;
     none = _e10;
     let _e12 = row_3;
@@ -717,14 +717,14 @@ fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, moment: f32, ed
 }
 
 // Drops the first factor and moves the others up by one.
-fn gabor_impl_next(f: GaborFactors) -> GaborFactors {
+fn gabor_impl_next(f: GaborImplFactors) -> GaborImplFactors {
     let _e2 = f.real.yz;
     let _e8 = f.imaginary.yz;
-    return GaborFactors(vec3<f32>(_e2.x, _e2.y, 0f), vec3<f32>(_e8.x, _e8.y, 0f));
+    return GaborImplFactors(vec3<f32>(_e2.x, _e2.y, 0f), vec3<f32>(_e8.x, _e8.y, 0f));
 }
 
 // The weighted sum of the products of two axes' factors.
-fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -> vec2<f32> {
+fn gabor_impl_contracted(a: GaborImplFactors, b: GaborImplFactors, weights: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
@@ -741,10 +741,10 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var weights_1: vec3<f32>;
     var step_x: vec2<f32>;
     var step_y: vec2<f32>;
-    var across: GaborFilteredAxis;
-    var along: GaborFilteredAxis;
-    var columns_4: GaborColumns;
-    var line_4: GaborFilteredLine;
+    var across: GaborImplFilteredAxis;
+    var along: GaborImplFilteredAxis;
+    var columns_4: GaborImplColumns;
+    var line_4: GaborImplFilteredLine;
     var local_20: i32;
     var rows_2: i32;
     var value_9: vec2<f32> = vec2(0f);
@@ -753,9 +753,9 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var edge_x: vec2<f32> = vec2(0f);
     var edge_y: vec2<f32> = vec2(0f);
     var j_3: i32 = 0i;
-    var edge_2: GaborFactors;
-    var row_4: GaborFactors;
-    var window_2: GaborFactors;
+    var edge_2: GaborImplFactors;
+    var row_4: GaborImplFactors;
+    var window_2: GaborImplFactors;
     var exponent_1: f32;
     var mean_1: vec2<f32>;
     var before: vec2<f32>;
@@ -835,7 +835,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
             let _e180 = gabor_impl_fade(_e178, _e179);
             let _e181 = gabor_impl_next_line(_e175, _e176, _e177, _e180);
             line_4 = _e181;
-            edge_2 = GaborFactors(vec3(0f), vec3(0f));
+            edge_2 = GaborImplFactors(vec3(0f), vec3(0f));
             let _e188 = columns_4;
             let _e189 = line_4;
             let _e194 = gabor_impl_filtered_row(_e188, _e189.word, place.moment, (&edge_2));
@@ -942,12 +942,12 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
-fn gabor_impl_wide_share(footprint: GaborFootprint) -> f32 {
+fn gabor_impl_wide_share(footprint: GaborImplFootprint) -> f32 {
     return clamp(((100f * sqrt(max(footprint.resolved.x, footprint.resolved.y))) - 9f), 0f, 1f);
 }
 
 // Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
-fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, wave: vec2<f32>, seed: u32) -> GaborField {
+fn gabor_impl_filtered(place: GaborPlace, footprint: GaborImplFootprint, wide: f32, wave: vec2<f32>, seed: u32) -> GaborField {
     var wave_14: vec2<f32>;
     var stretch_3: vec2<f32>;
     var transmitted: f32;
@@ -1005,7 +1005,7 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, 
 
 fn gabor_field_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, seed: u32) -> GaborField {
     var stretch_4: vec2<f32>;
-    var footprint_3: GaborFootprint;
+    var footprint_3: GaborImplFootprint;
     stretch_4 = (place.radius / vec2(1.5f));
     let _e13 = stretch_4;
     let _e15 = stretch_4;
@@ -1119,16 +1119,16 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
 }
 
 // A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
-struct GaborWindows {
+struct GaborImplWindows {
     middle: vec2<f32>,
     cosine: vec2<f32>,
     sine: vec2<f32>,
 }
 
-// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
-// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
+// multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
-fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindows, faded: vec2<f32>, s: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
+fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborImplWindows, faded: vec2<f32>, s: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
     var a_6: vec2<f32>;
     var x_10: vec2<f32>;
     var y_7: vec2<f32>;
@@ -1227,19 +1227,19 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var fall_1: vec2<f32>;
     var width_3: vec2<f32>;
     var salt_9: u32;
-    var x_11: GaborAxis;
-    var y_8: GaborAxis;
+    var x_11: GaborImplAxis;
+    var y_8: GaborImplAxis;
     var sum_14: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_4: i32 = 0i;
     var row_5: vec4<u32>;
     var i_7: i32;
     var d_5: vec2<f32>;
-    var star_2: GaborStar;
+    var star_2: GaborImplStar;
     var t_7: vec2<f32>;
     var fade_3: vec2<f32>;
     var change: vec2<f32>;
     var cosine: vec2<f32>;
-    var node_2: GaborWindows;
+    var node_2: GaborImplWindows;
     var faded_3: vec2<f32>;
     frequency_16 = frequency;
     let _e6 = gabor_impl_footprint(dx, dy);
@@ -1359,7 +1359,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     let _e300 = x_11.node[_e297];
                     let _e302 = j_4;
                     let _e305 = y_8.node[_e302];
-                    node_2 = GaborWindows((0.5f * _e289), (_e291 * _e292), ((_e294 * _e295) * vec2<f32>(_e300.z, _e305.z)));
+                    node_2 = GaborImplWindows((0.5f * _e289), (_e291 * _e292), ((_e294 * _e295) * vec2<f32>(_e300.z, _e305.z)));
                     let _e311 = change;
                     let _e312 = fade_3;
                     faded_3 = (_e311 / max(_e312, vec2(0.000001f)));

@@ -15,19 +15,19 @@
 #error Include gabor_noise.hlsl, gabor_filter.hlsl and gabor_noise_3d.hlsl before gabor_filter_3d.hlsl
 #endif
 #ifndef GABOR_FILTER_3D_HLSL
-#define GABOR_FILTER_3D_HLSL
+#define GABOR_FILTER_3D_HLSL 1
 
 // GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 wave, uint seed)
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
 //                                           float3 direction, uint seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency, uint seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
-//                                                     uint seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal,
+//                                                     float frequency, uint seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -45,27 +45,27 @@
 // which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric 3 x 3 matrix.
-struct GaborMatrix {
+struct GaborImplMatrix {
     float3 diagonal;
     float3 mixed; // yz, zx, xy
 };
 
-GaborMatrix GaborMatrix_of(float3 diagonal, float3 mixed)
+GaborImplMatrix GaborImplMatrix_of(float3 diagonal, float3 mixed)
 {
-    GaborMatrix made;
+    GaborImplMatrix made;
     made.diagonal = diagonal;
     made.mixed = mixed;
     return made;
 }
 
-float3 gabor_impl_symmetric_3d(GaborMatrix m, float3 v) {
+float3 gabor_impl_symmetric_3d(GaborImplMatrix m, float3 v) {
     return m.diagonal * v + m.mixed.zxy * v.yzx + m.mixed.yzx * v.zxy;
 }
 
 // The inverse times the determinant.
-GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
-    GaborMatrix a = GaborMatrix_of(m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
-                                m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
+GaborImplMatrix gabor_impl_adjugate(GaborImplMatrix m, out float determinant) {
+    GaborImplMatrix a = GaborImplMatrix_of(m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
+                                        m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
     determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -79,55 +79,56 @@ float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
 }
 
 // The weighted sum of the products of three axes' factors.
-float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors y_2, GaborFactors z, float3 w) {
-    GaborFactors slice = GaborFactors_of(gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
+float2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z,
+                              float3 w) {
+    GaborImplFactors slice = GaborImplFactors_of(gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
+                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
     return gabor_impl_contracted(slice, z, (float3)(1.0));
 }
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
-GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborMatrix s, bool wanted, uint salt) {
+GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborImplMatrix s, bool wanted, uint salt) {
     float determinant;
-    GaborMatrix m = GaborMatrix_of(s.diagonal + 0.13069097, s.mixed); // S + v
-    GaborMatrix adjugate = gabor_impl_adjugate(m, determinant);
+    GaborImplMatrix m = GaborImplMatrix_of(s.diagonal + 0.13069097, s.mixed); // S + v
+    GaborImplMatrix adjugate = gabor_impl_adjugate(m, determinant);
     float3 blurred = gabor_impl_symmetric_3d(s, wave);
     float3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     float3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     float3 pairs = sqrt(d.yzx * d.zxy);
-    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
+    adjugate = gabor_impl_adjugate(GaborImplMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
-    GaborFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
-    GaborFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                   place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                   gabor_impl_wave(wave.y / GABOR_RADIUS));
-    GaborFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                   place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                   gabor_impl_wave(wave.z / GABOR_RADIUS));
-    GaborColumns columns = gabor_impl_columns(x);
-    GaborFilteredLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
-    GaborFilteredLine slice = gabor_impl_line_before(
+    GaborImplFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
+                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+    GaborImplFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
+    GaborImplFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
+                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
+    GaborImplColumns columns = gabor_impl_columns(x);
+    GaborImplFilteredLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
+    GaborImplFilteredLine slice = gabor_impl_line_before(
         z, gabor_impl_wave(dot(wave, float3(x.offset, y.offset, z.offset + 1.0)) / GABOR_RADIUS));
-    GaborFactors none = GaborFactors_of((float3)(0.0), (float3)(0.0));
+    GaborImplFactors none = GaborImplFactors_of((float3)(0.0), (float3)(0.0));
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0), next_z = (float2)(0.0);
     int k = 0;
     do {
         slice = gabor_impl_next_line(slice, z, k, gabor_impl_fade(z, k));
-        GaborFactors y_0 = none, y_1 = none, y_2 = none;
-        GaborFilteredLine row = first;
+        GaborImplFactors y_0 = none, y_1 = none, y_2 = none;
+        GaborImplFilteredLine row = first;
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborFactors edge = GaborFactors_of((float3)(0.0), (float3)(0.0)); // unused
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
-                                                       edge);
-            GaborFactors window = gabor_impl_faded(row);
+            GaborImplFactors edge = GaborImplFactors_of((float3)(0.0), (float3)(0.0)); // unused
+            GaborImplFactors sum =
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
+            GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
             y_2 = gabor_impl_plus_product(y_2, sum, window.real.z, window.imaginary.z);
         } while (++j < rows);
-        GaborFactors along_z = gabor_impl_faded(slice);
+        GaborImplFactors along_z = gabor_impl_faded(slice);
         value += gabor_impl_contracted_3d(y_0, y_1, y_2, along_z, w);
         next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
                                            along_z, w);
@@ -138,66 +139,68 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborM
     // w / 4g times the next factor of the other axes.
     float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
     float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
-    real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), real);
-    imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), imaginary);
+    real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborImplMatrix_of((float3)(0.0), w), real);
+    imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborImplMatrix_of((float3)(0.0), w), imaginary);
     float exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
     float scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
-    return GaborField3d_of(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary, 0.0);
+    return GaborField3d_of(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary,
+                        0.0);
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
 // for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
-struct GaborPixelAxes {
+struct GaborImplPixelAxes {
     float3 major;
     float3 minor;
 };
 
-GaborPixelAxes GaborPixelAxes_of(float3 major, float3 minor)
+GaborImplPixelAxes GaborImplPixelAxes_of(float3 major, float3 minor)
 {
-    GaborPixelAxes made;
+    GaborImplPixelAxes made;
     made.major = major;
     made.minor = minor;
     return made;
 }
 
-GaborPixelAxes gabor_impl_pixel(float3 dx, float3 dy, float3 stretch) {
+GaborImplPixelAxes gabor_impl_pixel(float3 dx, float3 dy, float3 stretch) {
     dx = clamp(dx, -1.0e6, 1.0e6) * stretch;
     dy = clamp(dy, -1.0e6, 1.0e6) * stretch;
     float2 twice = float2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // at twice the angle of `turn`
     float cosine = twice.x / max(length(twice), 1.0e-30);
     float2 turn = sqrt(max(0.5 + float2(0.5, -0.5) * cosine, 0.0));
     if (twice.y < 0.0) turn.y = -turn.y;
-    return GaborPixelAxes_of(turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx);
+    return GaborImplPixelAxes_of(turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx);
 }
 
 // Limits the length of each axis to `most`.
-GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
-    return GaborPixelAxes_of(most * rsqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
+GaborImplPixelAxes gabor_impl_resolved(GaborImplPixelAxes pixel, float most) {
+    return GaborImplPixelAxes_of(most * rsqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
+                              most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
 }
 
-GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
+GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
     float3 major = 0.5 * pixel.major, minor = 0.5 * pixel.minor;
-    return GaborMatrix_of(major * major + minor * minor, major.yzx * major.zxy + minor.yzx * minor.zxy);
+    return GaborImplMatrix_of(major * major + minor * minor, major.yzx * major.zxy + minor.yzx * minor.zxy);
 }
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
-float2 gabor_impl_spread(GaborPixelAxes pixel) {
+float2 gabor_impl_spread(GaborImplPixelAxes pixel) {
     return 1.0 + 1.6449341 * float2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
-float gabor_impl_transmitted_3d(float3 wave, GaborPixelAxes pixel) {
+float gabor_impl_transmitted_3d(float3 wave, GaborImplPixelAxes pixel) {
     float2 d = gabor_impl_spread(pixel);
     float2 k = float2(dot(wave, pixel.major), dot(wave, pixel.minor));
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-void gabor_impl_add_filtered_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, float3 mixed,
-                                   float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+void gabor_impl_add_filtered_slice(inout float4 sum, inout float4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
+                                   float3 mixed, float moment) {
     float4 slice, slope;
     gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy);
@@ -206,17 +209,18 @@ void gabor_impl_add_filtered_slice(inout float4 sum, inout float4 slopes, GaborA
                 + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, bool wanted, uint salt) {
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborImplMatrix pixel, bool wanted,
+                                           uint salt) {
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                      GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                      GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
-    GaborAxis unused = x;
+    GaborImplAxis unused = x;
     gabor_impl_filter(x, pixel.diagonal.x, blurred.x, unused);
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
@@ -236,11 +240,11 @@ GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, f
     float3 stretch = place.radius / GABOR_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0);
+    GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0);
     float transmitted = gabor_impl_transmitted_3d(wave, whole);
     float amplitude = sqrt(transmitted / gabor_impl_transmitted_3d(wave, resolved));
     if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
-    GaborMatrix pixel = gabor_impl_covariance(resolved);
+    GaborImplMatrix pixel = gabor_impl_covariance(resolved);
     float3 variance = pixel.diagonal;
     float wide = clamp(100.0 * sqrt(max(max(variance.x, variance.y), variance.z)) - 9.0, 0.0, 1.0);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
@@ -249,29 +253,29 @@ GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, f
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0, salt),
                                 (1.0 - wide) * amplitude, stretch);
     if (kept && wide > 0.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt), wide * amplitude,
-                                stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt),
+                                wide * amplitude, stretch);
     return sum;
 }
 
 GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
                                           float3 direction, uint seed) {
-    GaborSurface surface = gabor_impl_surface(normal, direction);
+    GaborImplSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), sqrt(power),
-                                (float3)(1.0));
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+                                sqrt(power), (float3)(1.0));
     }
     return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
-struct GaborFilteredNode {
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
+struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;
     float cosine;
@@ -279,9 +283,9 @@ struct GaborFilteredNode {
     float faded; // derivative of the logarithm of the fade
 };
 
-GaborFilteredNode GaborFilteredNode_of(float offset, float middle, float cosine, float sine, float faded)
+GaborImplFilteredNode GaborImplFilteredNode_of(float offset, float middle, float cosine, float sine, float faded)
 {
-    GaborFilteredNode made;
+    GaborImplFilteredNode made;
     made.offset = offset;
     made.middle = middle;
     made.cosine = cosine;
@@ -290,18 +294,19 @@ GaborFilteredNode GaborFilteredNode_of(float offset, float middle, float cosine,
     return made;
 }
 
-GaborFilteredNode gabor_impl_filtered_node_3d(GaborNode node, float variance) {
+GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float variance) {
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     float t = clamp((1.0 - abs(node.offset)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
     float fall = fade * exp(-4.934802 * variance);
     float faded = -6.0 / width * t * (1.0 - t) * sign(node.offset) / max(fade, 1.0e-6);
-    return GaborFilteredNode_of(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
+    return GaborImplFilteredNode_of(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                     float4 wave, float moment, GaborMatrix pixel, uint word) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                     GaborImplFilteredNode z, float4 wave, float moment, GaborImplMatrix pixel,
+                                     uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float3 middle = float3(x.middle, y.middle, z.middle), cosine = float3(x.cosine, y.cosine, z.cosine);
     float3 sine = float3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
@@ -313,7 +318,8 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x
     h = middle + even * cosine;
     float3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
     float3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
-    float2 value = gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
+    float2 value =
+        gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     float3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     float3 faded = float3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
@@ -322,23 +328,23 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
 }
 
-void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                      float3 scale, float moment, GaborMatrix pixel, GaborTangents tangents, uint column,
-                                      uint4 row) {
+void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                      GaborImplFilteredNode z, float3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
-    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, moment, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, moment, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, moment, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, moment, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, moment, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, moment, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
 // share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
 // gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
-float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
+float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel, GaborImplTangents tangents) {
     float2 d = gabor_impl_spread(pixel);
     float2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
     float mean;
@@ -357,37 +363,40 @@ float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, Ga
     return mean * rsqrt(d.x * d.y);
 }
 
-GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency, GaborTangents tangents,
-                                           uint seed) {
+GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency,
+                                           GaborImplTangents tangents, uint seed) {
     float3 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
-    GaborPixelAxes whole = gabor_impl_pixel(dx, dy, (float3)(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
+    GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, (float3)(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
     float transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
     float amplitude = sqrt(transmitted / gabor_impl_transmitted_isotropic(frequency, resolved, tangents));
     if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
     GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
     if (transmitted == 0.0)
         return field;
-    GaborMatrix pixel = gabor_impl_covariance(GaborPixelAxes_of(resolved.major * stretch, resolved.minor * stretch));
+    GaborImplMatrix pixel =
+        gabor_impl_covariance(GaborImplPixelAxes_of(resolved.major * stretch, resolved.minor * stretch));
     float3 s = pixel.diagonal, scale = frequency / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
-    GaborFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
-    GaborFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
-    GaborFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
+                                      GABOR_RADIUS);
+    GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
+    GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
+    GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
-        GaborFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
-        GaborFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
+        GaborImplFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
+        GaborImplFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
         gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
         gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
         gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
-    amplitude *= rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    amplitude *= rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
+               / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);
     return field;
 }
@@ -410,4 +419,4 @@ GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 d
     return sum;
 }
 
-#endif // GABOR_FILTER_3D_HLSL
+#endif

@@ -18,19 +18,19 @@
 #error Include gabor_noise.hpp, gabor_filter.hpp and gabor_noise_3d.hpp before gabor_filter_3d.hpp
 #endif
 #ifndef GABOR_FILTER_3D_HPP
-#define GABOR_FILTER_3D_HPP
+#define GABOR_FILTER_3D_HPP 1
 
 // GaborField3d gabor_field_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 wave, uint seed)
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
 //                                           vec3 direction, uint seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency, uint seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal, float frequency,
-//                                                     uint seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal,
+//                                                     float frequency, uint seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -48,19 +48,19 @@
 // which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric 3 x 3 matrix.
-struct GaborMatrix {
+struct GaborImplMatrix {
     gabor_vec3 diagonal;
     gabor_vec3 mixed; // yz, zx, xy
 };
 
-GABOR_INLINE gabor_vec3 gabor_impl_symmetric_3d(GaborMatrix m, gabor_vec3 v) {
+GABOR_INLINE gabor_vec3 gabor_impl_symmetric_3d(GaborImplMatrix m, gabor_vec3 v) {
     return m.diagonal * v + m.mixed.zxy() * v.yzx() + m.mixed.yzx() * v.zxy();
 }
 
 // The inverse times the determinant.
-GABOR_INLINE GaborMatrix gabor_impl_adjugate(GaborMatrix m, float& determinant) {
-    GaborMatrix a = GaborMatrix{m.diagonal.yzx() * m.diagonal.zxy() - m.mixed * m.mixed,
-                                m.mixed.yzx() * m.mixed.zxy() - m.diagonal * m.mixed};
+GABOR_INLINE GaborImplMatrix gabor_impl_adjugate(GaborImplMatrix m, float& determinant) {
+    GaborImplMatrix a = GaborImplMatrix{m.diagonal.yzx() * m.diagonal.zxy() - m.mixed * m.mixed,
+                                        m.mixed.yzx() * m.mixed.zxy() - m.diagonal * m.mixed};
     determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -74,55 +74,56 @@ GABOR_INLINE gabor_vec3 gabor_impl_along_z(gabor_vec3 y_0, gabor_vec3 y_1, gabor
 }
 
 // The weighted sum of the products of three axes' factors.
-GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors y_2, GaborFactors z, gabor_vec3 w) {
-    GaborFactors slice = GaborFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                      gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
+GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborImplFactors y_2, GaborImplFactors z,
+                              gabor_vec3 w) {
+    GaborImplFactors slice = GaborImplFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
+                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
     return gabor_impl_contracted(slice, z, gabor_vec3(1.0f));
 }
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
-GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix s, bool wanted, std::uint32_t salt) {
+GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix s, bool wanted, std::uint32_t salt) {
     float determinant;
-    GaborMatrix m = GaborMatrix{s.diagonal + 0.13069097f, s.mixed}; // S + v
-    GaborMatrix adjugate = gabor_impl_adjugate(m, determinant);
+    GaborImplMatrix m = GaborImplMatrix{s.diagonal + 0.13069097f, s.mixed}; // S + v
+    GaborImplMatrix adjugate = gabor_impl_adjugate(m, determinant);
     gabor_vec3 blurred = gabor_impl_symmetric_3d(s, wave);
     gabor_vec3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     gabor_vec3 d = gabor_cpp_sqrt(m.diagonal * determinant / adjugate.diagonal);
     gabor_vec3 pairs = gabor_cpp_sqrt(d.yzx() * d.zxy());
-    adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
+    adjugate = gabor_impl_adjugate(GaborImplMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
-    GaborFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
-    GaborFilteredAxis y = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                   place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                   gabor_impl_wave(wave.y / GABOR_RADIUS));
-    GaborFilteredAxis z = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                   place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                   gabor_impl_wave(wave.z / GABOR_RADIUS));
-    GaborColumns columns = gabor_impl_columns(x);
-    GaborFilteredLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
-    GaborFilteredLine slice = gabor_impl_line_before(
+    GaborImplFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
+                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+    GaborImplFilteredAxis y = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
+    GaborImplFilteredAxis z = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
+                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
+    GaborImplColumns columns = gabor_impl_columns(x);
+    GaborImplFilteredLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
+    GaborImplFilteredLine slice = gabor_impl_line_before(
         z, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec3(x.offset, y.offset, z.offset + 1.0f)) / GABOR_RADIUS));
-    GaborFactors none = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
+    GaborImplFactors none = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), next_z = gabor_vec2(0.0f);
     int k = 0;
     do {
         slice = gabor_impl_next_line(slice, z, k, gabor_impl_fade(z, k));
-        GaborFactors y_0 = none, y_1 = none, y_2 = none;
-        GaborFilteredLine row = first;
+        GaborImplFactors y_0 = none, y_1 = none, y_2 = none;
+        GaborImplFilteredLine row = first;
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborFactors edge = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // unused
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
-                                                       edge);
-            GaborFactors window = gabor_impl_faded(row);
+            GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // unused
+            GaborImplFactors sum =
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
+            GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
             y_2 = gabor_impl_plus_product(y_2, sum, window.real.z, window.imaginary.z);
         } while (++j < rows);
-        GaborFactors along_z = gabor_impl_faded(slice);
+        GaborImplFactors along_z = gabor_impl_faded(slice);
         value += gabor_impl_contracted_3d(y_0, y_1, y_2, along_z, w);
         next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
                                            along_z, w);
@@ -133,58 +134,60 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     // w / 4g times the next factor of the other axes.
     gabor_vec3 real = gabor_vec3(next_x.x, next_y.x, next_z.x), imaginary = gabor_vec3(next_x.y, next_y.y, next_z.y);
     gabor_vec3 quarter = 0.012665148f / d; // 1 / 4g, g = 2 pi^2 D
-    real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{gabor_vec3(0.0f), w}, real);
-    imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborMatrix{gabor_vec3(0.0f), w}, imaginary);
+    real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborImplMatrix{gabor_vec3(0.0f), w}, real);
+    imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborImplMatrix{gabor_vec3(0.0f), w}, imaginary);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + gabor_cpp_dot(d, c * c));
     float scale = gabor_cpp_sqrt(8.0f / determinant / GABOR_IMPL_ENERGY) * gabor_cpp_exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
-    return GaborField3d{scale * value.y, 6.2831853f * scale * real, scale * value.x, -6.2831853f * scale * imaginary, 0.0f};
+    return GaborField3d{scale * value.y, 6.2831853f * scale * real, scale * value.x, -6.2831853f * scale * imaginary,
+                        0.0f};
 }
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
 // for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
-struct GaborPixelAxes {
+struct GaborImplPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
 };
 
-GABOR_INLINE GaborPixelAxes gabor_impl_pixel(gabor_vec3 dx, gabor_vec3 dy, gabor_vec3 stretch) {
+GABOR_INLINE GaborImplPixelAxes gabor_impl_pixel(gabor_vec3 dx, gabor_vec3 dy, gabor_vec3 stretch) {
     dx = gabor_cpp_clamp(dx, -1.0e6f, 1.0e6f) * stretch;
     dy = gabor_cpp_clamp(dy, -1.0e6f, 1.0e6f) * stretch;
     gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // at twice the angle of `turn`
     float cosine = twice.x / gabor_cpp_max(gabor_cpp_length(twice), 1.0e-30f);
     gabor_vec2 turn = gabor_cpp_sqrt(gabor_cpp_max(0.5f + gabor_vec2(0.5f, -0.5f) * cosine, 0.0f));
     if (twice.y < 0.0f) turn.y = -turn.y;
-    return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
+    return GaborImplPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
 // Limits the length of each axis to `most`.
-GABOR_INLINE GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
-    return GaborPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
+GABOR_INLINE GaborImplPixelAxes gabor_impl_resolved(GaborImplPixelAxes pixel, float most) {
+    return GaborImplPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
+                              most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
 }
 
-GABOR_INLINE GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
+GABOR_INLINE GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
     gabor_vec3 major = 0.5f * pixel.major, minor = 0.5f * pixel.minor;
-    return GaborMatrix{major * major + minor * minor, major.yzx() * major.zxy() + minor.yzx() * minor.zxy()};
+    return GaborImplMatrix{major * major + minor * minor, major.yzx() * major.zxy() + minor.yzx() * minor.zxy()};
 }
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
-GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborPixelAxes pixel) {
+GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborImplPixelAxes pixel) {
     return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
-GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pixel) {
+GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborImplPixelAxes pixel) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 k = gabor_vec2(gabor_cpp_dot(wave, pixel.major), gabor_cpp_dot(wave, pixel.minor));
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, gabor_vec3 mixed,
-                                   float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
+                                   gabor_vec3 mixed, float moment) {
     gabor_vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy());
@@ -193,17 +196,18 @@ GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slo
                 + mixed.z * gabor_impl_product(slope.zw(), z.node[0].xy()), 0.0f, 0.0f);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, bool wanted, std::uint32_t salt) {
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix pixel, bool wanted,
+                                           std::uint32_t salt) {
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                      GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                      GABOR_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
-    GaborAxis unused = x;
+    GaborImplAxis unused = x;
     gabor_impl_filter(x, pixel.diagonal.x, blurred.x, unused);
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
@@ -223,11 +227,11 @@ GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0f);
+    GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0f);
     float transmitted = gabor_impl_transmitted_3d(wave, whole);
     float amplitude = gabor_cpp_sqrt(transmitted / gabor_impl_transmitted_3d(wave, resolved));
     if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // also if it is NaN
-    GaborMatrix pixel = gabor_impl_covariance(resolved);
+    GaborImplMatrix pixel = gabor_impl_covariance(resolved);
     gabor_vec3 variance = pixel.diagonal;
     float wide = gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(gabor_cpp_max(variance.x, variance.y), variance.z)) - 9.0f, 0.0f, 1.0f);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
@@ -236,29 +240,29 @@ GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0f, salt),
                                 (1.0f - wide) * amplitude, stretch);
     if (kept && wide > 0.0f)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0f, salt), wide * amplitude,
-                                stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0f, salt),
+                                wide * amplitude, stretch);
     return sum;
 }
 
 GABOR_INLINE GaborField3d gabor_field_surface_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, gabor_vec3 normal, float frequency,
                                           gabor_vec3 direction, std::uint32_t seed) {
-    GaborSurface surface = gabor_impl_surface(normal, direction);
+    GaborImplSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
         gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power),
-                                gabor_vec3(1.0f));
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+                                gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
-struct GaborFilteredNode {
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
+struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;
     float cosine;
@@ -266,18 +270,19 @@ struct GaborFilteredNode {
     float faded; // derivative of the logarithm of the fade
 };
 
-GABOR_INLINE GaborFilteredNode gabor_impl_filtered_node_3d(GaborNode node, float variance) {
+GABOR_INLINE GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float variance) {
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
     float t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(node.offset)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
     float fall = fade * gabor_cpp_exp(-4.934802f * variance);
     float faded = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(node.offset) / gabor_cpp_max(fade, 1.0e-6f);
-    return GaborFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope, faded};
+    return GaborImplFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope, faded};
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                     gabor_vec4 wave, float moment, GaborMatrix pixel, std::uint32_t word) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                     GaborImplFilteredNode z, gabor_vec4 wave, float moment, GaborImplMatrix pixel,
+                                     std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.middle, y.middle, z.middle), cosine = gabor_vec3(x.cosine, y.cosine, z.cosine);
     gabor_vec3 sine = gabor_vec3(x.sine, y.sine, z.sine), s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
@@ -289,7 +294,8 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborFilter
     h = middle + even * cosine;
     gabor_vec3 i_h = 0.31830989f * odd * sine, i_slope = -3.1415927f * odd * cosine;
     gabor_vec3 real = h.yzx() * h.zxy() - i_h.yzx() * i_h.zxy(), imaginary = h.yzx() * i_h.zxy() + i_h.yzx() * h.zxy();
-    gabor_vec2 value = gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
+    gabor_vec2 value =
+        gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     gabor_vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     gabor_vec3 faded = gabor_vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
@@ -298,23 +304,23 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborFilter
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853f * value.y * wave.xyz();
 }
 
-GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                      gabor_vec3 scale, float moment, GaborMatrix pixel, GaborTangents tangents, std::uint32_t column,
-                                      gabor_uvec4 row) {
+GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
+                                      GaborImplFilteredNode z, gabor_vec3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
-    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, moment, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, moment, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, moment, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, moment, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, moment, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, moment, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
 // share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
 // gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
-GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
+GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel, GaborImplTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;
     float mean;
@@ -333,37 +339,40 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelA
     return mean * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float frequency, GaborTangents tangents,
-                                           std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float frequency,
+                                           GaborImplTangents tangents, std::uint32_t seed) {
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
-    GaborPixelAxes whole = gabor_impl_pixel(dx, dy, gabor_vec3(1.0f)), resolved = gabor_impl_resolved(whole, 0.5f);
+    GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, gabor_vec3(1.0f)), resolved = gabor_impl_resolved(whole, 0.5f);
     float transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
     float amplitude = gabor_cpp_sqrt(transmitted / gabor_impl_transmitted_isotropic(frequency, resolved, tangents));
     if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // also if it is NaN
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
     if (transmitted == 0.0f)
         return field;
-    GaborMatrix pixel = gabor_impl_covariance(GaborPixelAxes{resolved.major * stretch, resolved.minor * stretch});
+    GaborImplMatrix pixel =
+        gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
     gabor_vec3 s = pixel.diagonal, scale = frequency / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                  GABOR_RADIUS);
-    GaborFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
-    GaborFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
-    GaborFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
+                                      GABOR_RADIUS);
+    GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
+    GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
+    GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = 0; i < 9; ++i) {
-        GaborFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
-        GaborFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
+        GaborImplFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
+        GaborImplFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
         gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
         gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
         gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
-    amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)
+               / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);
     return field;
 }
@@ -386,4 +395,4 @@ GABOR_INLINE GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d pl
     return sum;
 }
 
-#endif // GABOR_FILTER_3D_HPP
+#endif

@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 243db73411eb4d6c.
+// naga 30.0.1 made it from GLSL with the digest e9333abde4ff7e5d.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -17,13 +17,13 @@
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
 //                                           vec3f direction, u32 seed)
 //     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-//     6.6 times (125 nodes).
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, f32 frequency, u32 seed)
-// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
-//                                                     u32 seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal,
+//                                                     f32 frequency, u32 seed)
 //     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
 //     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
 //     pixels, only the variance is right.
@@ -41,19 +41,19 @@
 // which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric 3 x 3 matrix.
-struct GaborMatrix {
+struct GaborImplMatrix {
     diagonal: vec3<f32>,
     mixed: vec3<f32>, // yz, zx, xy
 }
 
-fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
+fn gabor_impl_symmetric_3d(m: GaborImplMatrix, v: vec3<f32>) -> vec3<f32> {
     return (((m.diagonal * v) + (m.mixed.zxy * v.yzx)) + (m.mixed.yzx * v.zxy));
 }
 
 // The inverse times the determinant.
-fn gabor_impl_adjugate(m: GaborMatrix, determinant_: ptr<function, f32>) -> GaborMatrix {
-    var a_8: GaborMatrix;
-    a_8 = GaborMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
+fn gabor_impl_adjugate(m: GaborImplMatrix, determinant_: ptr<function, f32>) -> GaborImplMatrix {
+    var a_8: GaborImplMatrix;
+    a_8 = GaborImplMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
     let _e24 = a_8;
     let _e30 = a_8;
     let _e37 = a_8;
@@ -69,33 +69,33 @@ fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f3
 }
 
 // The weighted sum of the products of three axes' factors.
-fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFactors, z: GaborFactors, w: vec3<f32>) -> vec2<f32> {
-    var slice_2: GaborFactors;
+fn gabor_impl_contracted_3d(y_0: GaborImplFactors, y_1: GaborImplFactors, y_2: GaborImplFactors, z: GaborImplFactors, w: vec3<f32>) -> vec2<f32> {
+    var slice_2: GaborImplFactors;
     let _e8 = gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w);
     let _e12 = gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w);
-    slice_2 = GaborFactors(_e8, _e12);
+    slice_2 = GaborImplFactors(_e8, _e12);
     let _e15 = slice_2;
     let _e18 = gabor_impl_contracted(_e15, z, vec3(1f));
     return _e18;
 }
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
-fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32) -> GaborField3d {
+fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
     var determinant_1: f32;
-    var m_4: GaborMatrix;
-    var adjugate: GaborMatrix;
+    var m_4: GaborImplMatrix;
+    var adjugate: GaborImplMatrix;
     var blurred_3: vec3<f32>;
     var c_6: vec3<f32>;
     var d_8: vec3<f32>;
     var pairs: vec3<f32>;
     var w_3: vec3<f32>;
-    var x_17: GaborFilteredAxis;
-    var y_15: GaborFilteredAxis;
-    var z_8: GaborFilteredAxis;
-    var columns_5: GaborColumns;
-    var first_3: GaborFilteredLine;
-    var slice_3: GaborFilteredLine;
-    var none_1: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
+    var x_17: GaborImplFilteredAxis;
+    var y_15: GaborImplFilteredAxis;
+    var z_8: GaborImplFilteredAxis;
+    var columns_5: GaborImplColumns;
+    var first_3: GaborImplFilteredLine;
+    var slice_3: GaborImplFilteredLine;
+    var none_1: GaborImplFactors = GaborImplFactors(vec3(0f), vec3(0f));
     var local_43: i32;
     var rows_3: i32;
     var local_44: i32;
@@ -105,15 +105,15 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var next_y_1: vec2<f32> = vec2(0f);
     var next_z: vec2<f32> = vec2(0f);
     var k_2: i32 = 0i;
-    var y_0_2: GaborFactors;
-    var y_1_2: GaborFactors;
-    var y_2_2: GaborFactors;
-    var row_9: GaborFilteredLine;
+    var y_0_2: GaborImplFactors;
+    var y_1_2: GaborImplFactors;
+    var y_2_2: GaborImplFactors;
+    var row_9: GaborImplFilteredLine;
     var j_6: i32;
-    var edge_3: GaborFactors;
-    var sum_26: GaborFactors;
-    var window_5: GaborFactors;
-    var along_z: GaborFactors;
+    var edge_3: GaborImplFactors;
+    var sum_26: GaborImplFactors;
+    var window_5: GaborImplFactors;
+    var along_z: GaborImplFactors;
     var real_3: vec3<f32>;
     var imaginary_3: vec3<f32>;
     var quarter_1: vec3<f32>;
@@ -121,7 +121,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var local_45: f32;
     var scale_3: f32;
     var local_46: f32;
-    m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
+    m_4 = GaborImplMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e13 = m_4;
     let _e16 = gabor_impl_adjugate(_e13, (&determinant_1));
     adjugate = _e16;
@@ -142,7 +142,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e45 = m_4;
     let _e47 = d_8;
     let _e52 = pairs;
-    let _e57 = gabor_impl_adjugate(GaborMatrix((vec3(1f) + (_e45.diagonal / _e47)), (s.mixed / _e52)), (&determinant_1));
+    let _e57 = gabor_impl_adjugate(GaborImplMatrix((vec3(1f) + (_e45.diagonal / _e47)), (s.mixed / _e52)), (&determinant_1));
     adjugate = _e57;
     let _e59 = determinant_1;
     let _e61 = pairs;
@@ -223,7 +223,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
                     let _e224 = gabor_impl_fade(_e222, _e223);
                     let _e225 = gabor_impl_next_line(_e219, _e220, _e221, _e224);
                     row_9 = _e225;
-                    edge_3 = GaborFactors(vec3(0f), vec3(0f));
+                    edge_3 = GaborImplFactors(vec3(0f), vec3(0f));
                     let _e232 = columns_5;
                     let _e233 = row_9;
                     let _e235 = slice_3;
@@ -324,7 +324,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e351 = quarter_1;
     let _e354 = w_3;
     let _e356 = real_3;
-    let _e357 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e354), _e356);
+    let _e357 = gabor_impl_symmetric_3d(GaborImplMatrix(vec3(0f), _e354), _e356);
     real_3 = (_e345 + (((wave + _e346) * _e348.x) + (_e351 * _e357)));
     let _e361 = imaginary_3;
     let _e362 = c_6;
@@ -332,7 +332,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e367 = quarter_1;
     let _e370 = w_3;
     let _e372 = imaginary_3;
-    let _e373 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e370), _e372);
+    let _e373 = gabor_impl_symmetric_3d(GaborImplMatrix(vec3(0f), _e370), _e372);
     imaginary_3 = (_e361 + (((wave + _e362) * _e364.y) + (_e367 * _e373)));
     let _e378 = c_6;
     let _e380 = blurred_3;
@@ -371,12 +371,12 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
 // for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
-struct GaborPixelAxes {
+struct GaborImplPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
 }
 
-fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPixelAxes {
+fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborImplPixelAxes {
     var dx_7: vec3<f32>;
     var dy_7: vec3<f32>;
     var twice_2: vec2<f32>;
@@ -413,15 +413,15 @@ fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPi
     let _e76 = dy_7;
     let _e78 = turn_14;
     let _e80 = dx_7;
-    return GaborPixelAxes(((_e65.x * _e67) + (_e69.y * _e71)), ((_e74.x * _e76) - (_e78.y * _e80)));
+    return GaborImplPixelAxes(((_e65.x * _e67) + (_e69.y * _e71)), ((_e74.x * _e76) - (_e78.y * _e80)));
 }
 
 // Limits the length of each axis to `most`.
-fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
-    return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
+fn gabor_impl_resolved(pixel: GaborImplPixelAxes, most: f32) -> GaborImplPixelAxes {
+    return GaborImplPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
 }
 
-fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
+fn gabor_impl_covariance(pixel: GaborImplPixelAxes) -> GaborImplMatrix {
     var major: vec3<f32>;
     var minor: vec3<f32>;
     major = (0.5f * pixel.major);
@@ -434,16 +434,16 @@ fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
     let _e18 = major;
     let _e21 = minor;
     let _e23 = minor;
-    return GaborMatrix(((_e9 * _e10) + (_e12 * _e13)), ((_e16.yzx * _e18.zxy) + (_e21.yzx * _e23.zxy)));
+    return GaborImplMatrix(((_e9 * _e10) + (_e12 * _e13)), ((_e16.yzx * _e18.zxy) + (_e21.yzx * _e23.zxy)));
 }
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
-fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
+fn gabor_impl_spread(pixel: GaborImplPixelAxes) -> vec2<f32> {
     return (vec2(1f) + (1.644934f * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor))));
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
-fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
+fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborImplPixelAxes) -> f32 {
     var d_9: vec2<f32>;
     var k_3: vec2<f32>;
     let _e2 = gabor_impl_spread(pixel);
@@ -457,8 +457,9 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, mixed: vec3<f32>, moment: f32) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx and xy.
+fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, z: GaborImplAxis, mixed: vec3<f32>, moment: f32) {
     var slice_4: vec4<f32>;
     var slope_11: vec4<f32>;
     gabor_impl_sum_slice(x, y, z, 0i, moment, (&slice_4), (&slope_11));
@@ -481,15 +482,15 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<func
     return;
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
-// loop whose length it does not know much faster than three calls.
-fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, wanted: bool, salt: u32) -> GaborField3d {
-    var x_19: GaborAxis;
-    var y_17: GaborAxis;
-    var z_10: GaborAxis;
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
+// compiles a loop whose length it does not know much faster than three calls.
+fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
+    var x_19: GaborImplAxis;
+    var y_17: GaborImplAxis;
+    var z_10: GaborImplAxis;
     var turn_15: vec2<f32>;
     var blurred_4: vec3<f32>;
-    var unused: GaborAxis;
+    var unused: GaborImplAxis;
     var sum_28: vec4<f32> = vec4(0f);
     var slopes_5: vec4<f32> = vec4(0f);
     var local_47: i32;
@@ -563,11 +564,11 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     var wave_26: vec3<f32>;
     var stretch_10: vec3<f32>;
     var salt_14: u32;
-    var whole: GaborPixelAxes;
-    var resolved: GaborPixelAxes;
+    var whole: GaborImplPixelAxes;
+    var resolved: GaborImplPixelAxes;
     var transmitted_1: f32;
     var amplitude_6: f32;
-    var pixel_5: GaborMatrix;
+    var pixel_5: GaborImplMatrix;
     var variance_1: vec3<f32>;
     var wide_1: f32;
     var sum_29: GaborField3d;
@@ -642,7 +643,7 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
 }
 
 fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var surface_1: GaborSurface;
+    var surface_1: GaborImplSurface;
     var sum_30: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_48: i32;
     var i_13: i32;
@@ -713,9 +714,9 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
-// deviation of its ends.
-struct GaborFilteredNode {
+// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
+// standard deviation of its ends.
+struct GaborImplFilteredNode {
     offset: f32, // offset of the point from the node
     middle: f32,
     cosine: f32,
@@ -723,7 +724,7 @@ struct GaborFilteredNode {
     faded: f32, // derivative of the logarithm of the fade
 }
 
-fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredNode {
+fn gabor_impl_filtered_node_3d(node: GaborImplNode, variance: f32) -> GaborImplFilteredNode {
     var width_4: f32;
     var t_8: f32;
     var fade_4: f32;
@@ -747,12 +748,12 @@ fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredN
     let _e58 = fall_2;
     let _e63 = fall_2;
     let _e66 = faded_4;
-    return GaborFilteredNode(node.offset, (0.5f * _e56), (_e58 * (node.value - 0.5f)), (_e63 * node.slope), _e66);
+    return GaborImplFilteredNode(node.offset, (0.5f * _e56), (_e58 * (node.value - 0.5f)), (_e63 * node.slope), _e66);
 }
 
-// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, wave: vec4<f32>, moment: f32, pixel: GaborMatrix, word: u32) {
+// Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
+// s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
+fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode, y: GaborImplFilteredNode, z: GaborImplFilteredNode, wave: vec4<f32>, moment: f32, pixel: GaborImplMatrix, word: u32) {
     var a_9: vec2<f32>;
     var middle: vec3<f32>;
     var cosine_2: vec3<f32>;
@@ -874,9 +875,9 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     return;
 }
 
-fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, moment: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode, y: GaborImplFilteredNode, z: GaborImplFilteredNode, scale: vec3<f32>, moment: f32, pixel: GaborImplMatrix, tangents: GaborImplTangents, column: u32, row: vec4<u32>) {
     var d_10: vec3<f32>;
-    var star_4: GaborStar3d;
+    var star_4: GaborImplStar3d;
     var unit_6: vec4<f32>;
     d_10 = (scale * vec3<f32>(x.offset, y.offset, z.offset));
     let _e16 = d_10;
@@ -885,14 +886,14 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFi
     unit_6 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
     let _e28 = unit_6;
     let _e29 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.u), moment, pixel, (column * row.x));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.first), moment, pixel, (column * row.x));
     let _e36 = unit_6;
     let _e37 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.v), moment, pixel, (column * row.y));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.second), moment, pixel, (column * row.y));
     if !(tangents.only) {
         let _e46 = unit_6;
         let _e47 = star_4;
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.w), moment, pixel, (column * row.z));
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.third), moment, pixel, (column * row.z));
         return;
     } else {
         return;
@@ -903,7 +904,7 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFi
 // share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
 // gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
-fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
+fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborImplPixelAxes, tangents: GaborImplTangents) -> f32 {
     var d_11: vec2<f32>;
     var unit_7: vec2<f32>;
     var mean_2: f32;
@@ -972,28 +973,28 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     return (_e132 * inverseSqrt((_e133.x * _e135.y)));
 }
 
-fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
+fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, tangents: GaborImplTangents, seed: u32) -> GaborField3d {
     var frequency_27: f32;
     var stretch_11: vec3<f32>;
-    var whole_1: GaborPixelAxes;
-    var resolved_1: GaborPixelAxes;
+    var whole_1: GaborImplPixelAxes;
+    var resolved_1: GaborImplPixelAxes;
     var transmitted_2: f32;
     var amplitude_7: f32;
     var field_13: GaborField3d;
-    var pixel_9: GaborMatrix;
+    var pixel_9: GaborImplMatrix;
     var s_9: vec3<f32>;
     var scale_5: vec3<f32>;
     var salt_15: u32;
-    var x_22: GaborAxis;
-    var y_20: GaborAxis;
-    var z_13: GaborAxis;
-    var x_0_: GaborFilteredNode;
-    var x_1_: GaborFilteredNode;
-    var x_2_: GaborFilteredNode;
+    var x_22: GaborImplAxis;
+    var y_20: GaborImplAxis;
+    var z_13: GaborImplAxis;
+    var x_0_: GaborImplFilteredNode;
+    var x_1_: GaborImplFilteredNode;
+    var x_2_: GaborImplFilteredNode;
     var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_14: i32 = 0i;
-    var y_j_1: GaborFilteredNode;
-    var z_k_1: GaborFilteredNode;
+    var y_j_1: GaborImplFilteredNode;
+    var z_k_1: GaborImplFilteredNode;
     var row_11: vec4<u32>;
     var local_52: f32;
     var local_53: f32;
@@ -1031,7 +1032,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     let _e60 = stretch_11;
     let _e62 = resolved_1;
     let _e64 = stretch_11;
-    let _e67 = gabor_impl_covariance(GaborPixelAxes((_e58.major * _e60), (_e62.minor * _e64)));
+    let _e67 = gabor_impl_covariance(GaborImplPixelAxes((_e58.major * _e60), (_e62.minor * _e64)));
     pixel_9 = _e67;
     let _e69 = pixel_9;
     s_9 = _e69.diagonal;

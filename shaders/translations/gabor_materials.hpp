@@ -33,7 +33,7 @@
 #error gabor_materials.hpp needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_MATERIALS_HPP
-#define GABOR_MATERIALS_HPP
+#define GABOR_MATERIALS_HPP 1
 
 struct GaborMaterial {
     gabor_vec3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
@@ -200,8 +200,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_impl_times(gabor_vec3 a, gabor_vec3 b) {
@@ -223,33 +223,33 @@ GABOR_INLINE gabor_vec3 gabor_impl_turned_square(gabor_vec3 m, gabor_vec2 x, gab
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
 // filter, and the period, 0 for none. Warps move it and bend the steps.
-struct GaborPixel {
-    gabor_vec2 p;
-    gabor_vec2 x;
-    gabor_vec2 y;
+struct GaborImplPixel {
+    gabor_vec2 position;
+    gabor_vec2 by_x;
+    gabor_vec2 by_y;
     gabor_vec2 dx;
     gabor_vec2 dy;
     gabor_vec2 period;
 };
 
-GABOR_INLINE GaborPixel gabor_impl_pixel_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
+GABOR_INLINE GaborImplPixel gabor_impl_pixel_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
     p -= period.x > 0.0f ? period * gabor_cpp_floor(p / period) : gabor_vec2(0.0f);
-    return GaborPixel{p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), dx, dy, period};
+    return GaborImplPixel{p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), dx, dy, period};
 }
 
 // A position along the warped x or y axis, with derivatives.
-GABOR_INLINE gabor_vec3 gabor_impl_along_x(GaborPixel at) {
-    return gabor_vec3(at.p.x, at.x.x, at.y.x);
+GABOR_INLINE gabor_vec3 gabor_impl_along_x(GaborImplPixel at) {
+    return gabor_vec3(at.position.x, at.by_x.x, at.by_y.x);
 }
-GABOR_INLINE gabor_vec3 gabor_impl_along_y(GaborPixel at) {
-    return gabor_vec3(at.p.y, at.x.y, at.y.y);
+GABOR_INLINE gabor_vec3 gabor_impl_along_y(GaborImplPixel at) {
+    return gabor_vec3(at.position.y, at.by_x.y, at.by_y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel at, gabor_vec2 density) {
+GABOR_INLINE GaborPlace gabor_impl_place(GaborImplPixel at, gabor_vec2 density) {
     if (at.period.x > 0.0f)
-        return gabor_place_tiled(density * at.p, density * at.period);
-    return gabor_place_at(density * at.p);
+        return gabor_place_tiled(density * at.position, density * at.period);
+    return gabor_place_at(density * at.position);
 }
 
 GABOR_INLINE gabor_uvec3 gabor_impl_three_line_words(int index, int period, std::uint32_t salt) {
@@ -287,31 +287,32 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
-GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborPixel at, gabor_vec2 density) {
+GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborImplPixel at, gabor_vec2 density) {
     return gabor_vec4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
-GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
+GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
     amplitude /= 1.0f + 0.82246703f * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
-    return GaborPixel{at.p + amplitude * gabor_vec2(field.quadrature, field.noise),
-                      at.x + at.x.x * along_x + at.x.y * along_y, at.y + at.y.x * along_x + at.y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
+    return GaborImplPixel{at.position + amplitude * gabor_vec2(field.quadrature, field.noise),
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
+GABOR_INLINE GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
     gabor_vec2 y = gabor_vec2(-turn.y, turn.x);
@@ -331,21 +332,21 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
         x = period.x * gabor_vec2(other.y, -other.x) / at.period;
         y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborPixel{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)),
-                      gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y, at.y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
-                      gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
+    return GaborImplPixel{gabor_vec2(gabor_cpp_dot(x, at.position), gabor_cpp_dot(y, at.position)), gabor_vec2(gabor_cpp_dot(x, at.by_x), gabor_cpp_dot(y, at.by_x)),
+                          gabor_vec2(gabor_cpp_dot(x, at.by_y), gabor_cpp_dot(y, at.by_y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
+                          gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
 // multiple of `whole` repetitions.
-GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
+GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborImplPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0f)
         return gabor_cpp_max(gabor_cpp_floor(pixel.period * (count / whole) + 0.5f), gabor_vec2(1.0f)) * whole / pixel.period;
     return gabor_vec2(count);
 }
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
-GABOR_INLINE float gabor_impl_sine_kept(GaborPixel at, float count) {
+GABOR_INLINE float gabor_impl_sine_kept(GaborImplPixel at, float count) {
     return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0f));
 }
 
@@ -353,9 +354,9 @@ GABOR_INLINE float gabor_impl_sine_kept(GaborPixel at, float count) {
 
 // A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
 // `amplitude`, to pair `slot` of a material.
-struct GaborLayer {
+struct GaborImplLayer {
     int slot;
-    GaborPixel at;
+    GaborImplPixel at;
     gabor_vec2 density;
     gabor_vec2 wave;
     float amplitude;
@@ -363,25 +364,26 @@ struct GaborLayer {
 };
 
 // A layer of frequency 0.
-GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
-    return GaborLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
+GABOR_INLINE GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
+    return GaborImplLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
 }
 
-GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
-                                  int index) {
-    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_lobe_seed(seed, index)};
+GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, gabor_vec2 density, float frequency, float orientation,
+                                      std::uint32_t seed, int index) {
+    return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f,
+                          gabor_lobe_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-GABOR_INLINE GaborLayer gabor_impl_octave(GaborPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_octave(GaborImplPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
-    return GaborLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f), gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power),
-                      gabor_lobe_seed(seed, i)};
+    return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
+                          gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_lobe_seed(seed, i)};
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
 // share of their variance that a filter removed, and the covariance of their derivatives that it removed.
-struct GaborPair {
+struct GaborImplPair {
     gabor_vec3 first;
     gabor_vec3 second;
     float removed;
@@ -389,45 +391,46 @@ struct GaborPair {
 };
 
 // The pairs of a material.
-struct GaborPairs {
-    GaborPair a;
-    GaborPair b;
-    GaborPair c;
-    GaborPair d;
-    GaborPair e;
+struct GaborImplPairs {
+    GaborImplPair pair_0;
+    GaborImplPair pair_1;
+    GaborImplPair pair_2;
+    GaborImplPair pair_3;
+    GaborImplPair pair_4;
 };
 
-GABOR_INLINE GaborPair gabor_impl_no_pair() {
-    return GaborPair{gabor_vec3(0.0f), gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f)};
+GABOR_INLINE GaborImplPair gabor_impl_no_pair() {
+    return GaborImplPair{gabor_vec3(0.0f), gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f)};
 }
 
-GABOR_INLINE GaborPairs gabor_impl_no_pairs() {
-    GaborPair none = gabor_impl_no_pair();
-    return GaborPairs{none, none, none, none, none};
+GABOR_INLINE GaborImplPairs gabor_impl_no_pairs() {
+    GaborImplPair none = gabor_impl_no_pair();
+    return GaborImplPairs{none, none, none, none, none};
 }
 
-GABOR_INLINE GaborPair gabor_impl_pair(GaborLayer layer, GaborField field, gabor_vec3 lost) {
-    gabor_vec2 x = layer.density * layer.at.x, y = layer.density * layer.at.y;
-    return GaborPair{gabor_vec3(field.quadrature, gabor_cpp_dot(field.quadrature_gradient, x), gabor_cpp_dot(field.quadrature_gradient, y)),
-                     gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y)};
+GABOR_INLINE GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, gabor_vec3 lost) {
+    gabor_vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    return GaborImplPair{gabor_vec3(field.quadrature, gabor_cpp_dot(field.quadrature_gradient, x), gabor_cpp_dot(field.quadrature_gradient, y)),
+                         gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y)};
 }
 
-GABOR_INLINE GaborPair gabor_impl_plus(GaborPair sum, GaborPair pair, float amplitude) {
-    return GaborPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost};
+GABOR_INLINE GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
+    return GaborImplPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost};
 }
 
-GABOR_INLINE GaborPair gabor_impl_spots_pair(GaborLayer layer) {
+GABOR_INLINE GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), gabor_vec3(0.0f));
 }
 
 // A sum and an octave of it.
-GABOR_INLINE GaborPair gabor_impl_plus_octave(GaborPair sum, GaborLayer layer) {
+GABOR_INLINE GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLayer layer) {
     return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
 }
 
-GABOR_INLINE GaborPair gabor_impl_waves_pair(GaborLayer layer) {
+GABOR_INLINE GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
                            gabor_vec3(0.0f));
 }
@@ -444,28 +447,29 @@ GABOR_INLINE gabor_vec4 gabor_impl_spots_node(float value, float slope, float da
 }
 
 // The nodes of an axis with its words.
-struct GaborSpotsAxis {
+struct GaborImplSpotsAxis {
     gabor_uvec3 word;
     gabor_vec4 first;
     gabor_vec4 middle;
     gabor_vec4 last;
 };
 
-GABOR_INLINE GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, std::uint32_t salt, float variance) {
+GABOR_INLINE GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, std::uint32_t salt, float variance) {
     float zero = gabor_cpp_floor(local + 0.5f), offset = gabor_cpp_clamp(local - zero, -0.5f, 0.5f);
     float damped = gabor_cpp_exp(-4.934802f * variance), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
     gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-offset, offset)) / width, 0.0f, 1.0f);
     gabor_vec2 fade = t * t * (3.0f - 2.0f * t), change = 6.0f / width * t * (1.0f - t) * gabor_vec2(-1.0f, 1.0f);
     gabor_vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
-    return GaborSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
+    return GaborImplSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
+                              gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborSpotsAxis x, std::uint32_t word, gabor_vec4 y, float coupling) {
+GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborImplSpotsAxis x, std::uint32_t word, gabor_vec4 y,
+                              float coupling) {
     gabor_vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
     gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -476,29 +480,29 @@ GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y,
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborSpotsLine {
+struct GaborImplSpotsLine {
     std::uint32_t word;
     gabor_vec3 window;
     gabor_vec2 fade;
 };
 
-GABOR_INLINE GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
+GABOR_INLINE GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * (b.offset - float(index)));
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+    return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
 // derivative of its fade.
-struct GaborSpotsRow {
+struct GaborImplSpotsRow {
     gabor_vec3 real;
     gabor_vec3 imaginary;
     gabor_vec2 edge;
 };
 
-GABOR_INLINE void gabor_impl_add_spot(GaborSpotsRow& row, GaborSpotsLine x, std::uint32_t row_word) {
+GABOR_INLINE void gabor_impl_add_spot(GaborImplSpotsRow& row, GaborImplSpotsLine x, std::uint32_t row_word) {
     gabor_vec2 a = gabor_impl_amplitude(x.word * row_word);
     row.real += x.fade.x * a.x * x.window;
     row.imaginary += x.fade.x * a.y * x.window;
@@ -509,18 +513,18 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
     gabor_vec2 m = s.xy() + 0.13069097f;
     float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
     float mixed = 78.956835f * s.z * r / (1.0f + r);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
-                                                        place.period.x, salt, gabor_vec2(1.0f, 0.0f));
-    GaborFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
-    GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
+                                                            place.period.x, salt, gabor_vec2(1.0f, 0.0f));
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
+    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
+    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
     int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
     do {
-        GaborSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborSpotsRow row = GaborSpotsRow{gabor_vec3(0.0f), gabor_vec3(0.0f), gabor_vec2(0.0f)};
+        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
+        GaborImplSpotsRow row = GaborImplSpotsRow{gabor_vec3(0.0f), gabor_vec3(0.0f), gabor_vec2(0.0f)};
         gabor_impl_add_spot(row, x_0, y.word);
         gabor_impl_add_spot(row, x_1, y.word);
         gabor_impl_add_spot(row, x_2, y.word);
@@ -542,8 +546,9 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
 }
 
 GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, std::uint32_t salt) {
-    GaborSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     gabor_vec4 sum = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -557,7 +562,7 @@ GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, 
 // The same as gabor_field_filtered with the wave vector 0.
 GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(gabor_vec2(0.0f), footprint.covariance);
     float amplitude = gabor_cpp_sqrt(kept / gabor_impl_transmitted(gabor_vec2(0.0f), footprint.resolved));
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
@@ -572,9 +577,10 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
+GABOR_INLINE GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
     gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
     gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
@@ -584,25 +590,25 @@ GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField fie
     return gabor_impl_pair(layer, field, whole - (1.0f - field.removed) * left);
 }
 
-GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
+GABOR_INLINE GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy(), steps.zw(), layer.wave, layer.seed));
 }
 
-GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
+GABOR_INLINE GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy(), steps.zw(), layer.seed));
 }
 
-GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& sum, GaborLayer layer) {
-    GaborPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.a = gabor_impl_plus(sum.a, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.b = gabor_impl_plus(sum.b, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.c = gabor_impl_plus(sum.c, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.d = gabor_impl_plus(sum.d, pair, layer.amplitude);
-    else sum.e = gabor_impl_plus(sum.e, pair, layer.amplitude);
+GABOR_INLINE void gabor_impl_add_filtered_spots(GaborImplPairs& sum, GaborImplLayer layer) {
+    GaborImplPair pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
+    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
+    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
+    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
+    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
 }
 #endif
 
@@ -673,8 +679,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     return gabor_cpp_min(mean, 1.0f);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
     gabor_vec3 ends = gabor_impl_ends_at(phase.x, span.x);
     gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns, integral = 0.33333333f * (turns + t * t * t);
@@ -712,46 +718,47 @@ GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, gabor_vec3 hei
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-GABOR_INLINE GaborPixel gabor_impl_board(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood wood, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.43f, 0.018f) * wood.waviness;
-    GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), seed, 0);
+    GaborImplPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), seed, 0);
     return gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), seed, 1);
 }
 
 // Pores, fibres and tone.
-GABOR_INLINE GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborPixel board, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, std::uint32_t seed) {
     if (i == 2) return gabor_impl_spots_layer(2, board, gabor_vec2(3.5f, 0.35f), seed, 5);
     return gabor_impl_spots_layer(i, pixel, i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed, 3 + i);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, std::uint32_t seed) {
     board = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), seed, 2);
     float rings = gabor_impl_repeated(board, wood.rings, 1.0f).x;
     gabor_vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97f * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     gabor_vec3 ring = gabor_impl_rise(years, gabor_vec3(kept, 0.0f, 0.0f));
-    gabor_vec3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
+    gabor_vec3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1f, 0.25f);
     gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
     gabor_vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
-    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f)
-               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13f);
+    gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11f)
+               + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13f);
     gabor_vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45f * deep.x * wood.late;
-    gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.b.second;
+    gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.pair_1.second;
     float depth = 5.76e-6f * wood.pores * wood.pores * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
-    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz()) + 4.0e-8f * of.b.lost
-              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
+    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz())
+              + 4.0e-8f * of.pair_1.lost
+              + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1f, 0.25f);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
@@ -775,8 +782,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566f + 0.507f * at * at) : gabor_vec2(0.0f);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int count, float kept, float mean, gabor_vec3 square) {
     height = kept / float(count) * height + gabor_vec3((1.0f - kept) * mean, 0.0f, 0.0f);
     lost = count > 1 ? gabor_cpp_mix(square, lost / float(count), kept) - gabor_impl_square(height.yz()) : gabor_vec3(0.0f);
@@ -784,19 +791,19 @@ GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int c
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric fabric, std::uint32_t seed) {
     return gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborPixel cloth, gabor_vec2 count, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, gabor_vec2 count, std::uint32_t seed) {
     gabor_vec2 density = i == 0 ? gabor_vec2(0.7f * count.x, 1.1f) : i == 1 ? gabor_vec2(1.1f, 0.7f * count.y)
                  : i == 2 ? gabor_vec2(14.0f, 2.0f) * count : gabor_vec2(2.0f, 14.0f) * count;
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
-GABOR_INLINE gabor_vec2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+GABOR_INLINE gabor_vec2 gabor_impl_threads(GaborImplPixel pixel, GaborFabric fabric) {
     return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5f ? 2.0f : fabric.weave < 1.5f ? 4.0f : 16.0f);
 }
 
@@ -807,8 +814,8 @@ GABOR_INLINE float gabor_impl_over(float x, float y, float weave) {
     return gabor_cpp_fract(0.25f * (x + y) + 0.125f) < 0.5f ? 1.0f : -1.0f; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2f * across.x * across.x;
     float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = level ? 0.0f : 3.1415927f * along.x;
@@ -818,17 +825,17 @@ GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, g
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count, GaborFabric fabric, GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 count, GaborFabric fabric, GaborImplPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
     gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.3f, 0.7f, spread);
-    at_x += 0.13f * uneven * of.a.first;
-    at_y += 0.13f * uneven * of.b.first;
-    gabor_vec2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09f * uneven)
-                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12f);
-    gabor_vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09f * uneven)
-                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12f);
+    at_x += 0.13f * uneven * of.pair_0.first;
+    at_y += 0.13f * uneven * of.pair_1.first;
+    gabor_vec2 warp_tones = gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.09f * uneven)
+                    + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12f);
+    gabor_vec2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09f * uneven)
+                    + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12f);
     gabor_vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
@@ -841,22 +848,23 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count,
         float over = gabor_impl_over(thread_.x, thread_.y, fabric.weave);
         bool level_y = over == gabor_impl_over(thread_.x, thread_.y + (y.x < 0.0f ? -1.0f : 1.0f), fabric.weave);
         bool level_x = over == gabor_impl_over(thread_.x + (x.x < 0.0f ? -1.0f : 1.0f), thread_.y, fabric.weave);
-        gabor_vec3 along_y = gabor_impl_thread(x, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.a.second, y, over, level_y);
-        gabor_vec3 along_x = gabor_impl_thread(y, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.b.second, x, -over, level_x);
+        gabor_vec3 along_y = gabor_impl_thread(x, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.pair_0.second, y, over, level_y);
+        gabor_vec3 along_x = gabor_impl_thread(y, gabor_vec3(1.0f, 0.0f, 0.0f) + 0.16f * uneven * of.pair_1.second, x, -over, level_x);
         bool first = along_y.x > along_x.x;
         gabor_vec3 top = first ? along_y : along_x;
         if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
         colour += gabor_cpp_mix(0.18f, 1.0f, gabor_cpp_smoothstep(-1.3f, 0.5f, top.x)) * (first ? warp : weft);
-        top = 0.3f * top + 0.035f * (first ? of.c.second : of.d.second);
+        top = 0.3f * top + 0.035f * (first ? of.pair_2.second : of.pair_3.second);
         height += top;
         lost += gabor_impl_square(top.yz());
     }
-    gabor_vec3 mean = gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
+    gabor_vec3 mean =
+        gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
     if (fabric.weave >= 0.5f) mean = gabor_vec3(0.91f - uneven * (0.0105f + 0.0045f * uneven), 0.0655f, 0.37f);
     gabor_impl_average(height, lost, samples, kept, mean.y, gabor_vec3(mean.z * count * count, 0.0f));
     colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), kept);
     height *= unit;
-    lost = unit * unit * (lost + 0.0006125f * (of.c.lost + of.d.lost));
+    lost = unit * unit * (lost + 0.0006125f * (of.pair_2.lost + of.pair_3.lost));
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0f).x;
         gabor_vec3 at = cords * gabor_impl_along_x(cloth);
@@ -873,34 +881,34 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count,
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
-GABOR_INLINE GaborPixel gabor_impl_twill(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, std::uint32_t seed) {
     return gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), seed, 0);
 }
 
 // The fibres of tows along y and x.
-GABOR_INLINE GaborLayer gabor_impl_tow_layer(int i, GaborPixel cloth, gabor_vec2 count, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, gabor_vec2 count, std::uint32_t seed) {
     return gabor_impl_spots_layer(i, cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, gabor_vec2 count, GaborCarbonFibre fibres, GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_vec2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
     float unit = fibres.relief / fibres.tows;
-    gabor_vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
-    gabor_vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    gabor_vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
+    gabor_vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -917,57 +925,59 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, gabor_vec2 
         gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
         gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 8.0f * cube * low * wave.y * across.yz());
         colour += (0.35f + 0.65f * bulge.x) * (first ? warp : weft);
-        bulge = 0.16f * bulge + 0.006f * (first ? of.a.first : of.b.first);
+        bulge = 0.16f * bulge + 0.006f * (first ? of.pair_0.first : of.pair_1.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz());
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
     gabor_impl_average(height, lost, samples, kept, 0.072432f, 0.0256f * 2.154f * gabor_vec3(count * count, 0.0f));
     colour = gabor_cpp_mix(0.3221275f * (warp + weft), colour / float(samples), kept);
-    lost = unit * unit * (lost + 1.8e-5f * (of.a.lost + of.b.lost));
+    lost = unit * unit * (lost + 1.8e-5f * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period, GaborCarbonFibre fibres, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
-GABOR_INLINE GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
-    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
+    GaborImplPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
     return gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
-GABOR_INLINE GaborPair gabor_impl_moved_waves(GaborPair waves, GaborPixel at, gabor_vec2 wave, gabor_vec2 offset, float turns) {
+GABOR_INLINE GaborImplPair gabor_impl_moved_waves(GaborImplPair waves, GaborImplPixel at, gabor_vec2 wave, gabor_vec2 offset, float turns) {
     gabor_vec2 turn = gabor_impl_wave(turns);
-    gabor_vec3 phase = 6.2831853f * gabor_vec3(0.0f, gabor_cpp_dot(wave, at.x), gabor_cpp_dot(wave, at.y));
+    gabor_vec3 phase = 6.2831853f * gabor_vec3(0.0f, gabor_cpp_dot(wave, at.by_x), gabor_cpp_dot(wave, at.by_y));
     gabor_vec3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += gabor_cpp_dot(a.yz(), offset);
     b.x += gabor_cpp_dot(b.yz(), offset);
     gabor_vec3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
-    return GaborPair{first - second.x * phase, second + first.x * phase, 0.0f, gabor_vec3(0.0f)};
+    return GaborImplPair{first - second.x * phase, second + first.x * phase, 0.0f, gabor_vec3(0.0f)};
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
-GABOR_INLINE void gabor_impl_crest(GaborPair waves, gabor_vec3& cosine, gabor_vec3& sine) {
+GABOR_INLINE void gabor_impl_crest(GaborImplPair waves, gabor_vec3& cosine, gabor_vec3& sine) {
     float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12f;
     gabor_vec2 change = waves.first.x * waves.first.yz() + waves.second.x * waves.second.yz();
     gabor_vec3 unit = gabor_cpp_inversesqrt(power) * gabor_vec3(1.0f, -1.0f / power * change);
@@ -976,7 +986,7 @@ GABOR_INLINE void gabor_impl_crest(GaborPair waves, gabor_vec3& cosine, gabor_ve
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather leather, GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, GaborImplPairs of) {
     gabor_vec2 wave_a = gabor_wave_vector(leather.cells, 0.2f), wave_b = gabor_wave_vector(leather.cells, 2.2944f);
     gabor_vec2 dx = gabor_vec2(gabor_cpp_dot(wave_a, skin.dx), gabor_cpp_dot(wave_b, skin.dx));
     gabor_vec2 dy = gabor_vec2(gabor_cpp_dot(wave_a, skin.dy), gabor_cpp_dot(wave_b, skin.dy));
@@ -988,15 +998,15 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
         gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
         gabor_vec3 a, b, sine_a, sine_b;
-        gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
-        gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_2, skin, wave_a, further, offset.x), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_3, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         gabor_vec3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
-        gabor_vec3 grained = cells + 0.1f * of.a.second;
+        gabor_vec3 grained = cells + 0.1f * of.pair_0.second;
         gabor_vec2 pebble = gabor_impl_step(-1.45f, -0.55f, gabor_vec3(grained.x, 1.0f, 0.0f)).xy(); // with its derivative
         share += pebble.x;
         gabor_vec3 relief = 0.016f * gabor_vec3(pebble.x, pebble.y * grained.yz()) + 0.013f * gabor_impl_step(-1.0f, 3.0f, cells)
-                    + 0.0008f * of.a.second;
+                    + 0.0008f * of.pair_0.second;
         float grain = 0.0016f * pebble.y + 0.0008f; // the height's derivative by the grain
         grains += grain * grain;
         height += relief;
@@ -1005,37 +1015,37 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
     gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, -0.00012f);
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
-    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
+    gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14f)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, std::uint32_t seed) {
     gabor_vec4 bends = gabor_vec4(0.17f, 0.038f, 0.010f, 0.003f) * marble.turbulence;
-    GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(bends.x), seed, 0);
+    GaborImplPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(bends.x), seed, 0);
     stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
     stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(bends.z), seed, 2);
     return gabor_impl_warp(stone, gabor_vec2(40.0f), gabor_vec2(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_lobe_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 9);
     gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
@@ -1043,7 +1053,7 @@ GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPi
     return gabor_impl_waves_layer(2, stone, gabor_vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
+GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f).x;
     gabor_vec3 colour = gabor_impl_toned(marble.stone * (1.0f - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f));
@@ -1052,7 +1062,7 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud
 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborPair vein) {
+GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborImplPair vein) {
     gabor_vec2 width = i == 4 ? gabor_vec2(0.25f, 0.035f) : i == 5 ? gabor_vec2(0.35f, 0.05f) : gabor_vec2(1.0f, i == 6 ? 0.04f : 0.05f);
     gabor_vec2 strength = marble.veins * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5f : i == 5 ? -0.4f : i == 6 ? 0.8f : 1.1f, 0.5f).x;
@@ -1065,15 +1075,15 @@ GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble,
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPair cloud = gabor_impl_no_pair();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_waves_pair(layer));
     }
     return material;
@@ -1081,59 +1091,59 @@ GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, Gabo
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_dune(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), seed, 0);
+GABOR_INLINE GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, std::uint32_t seed) {
+    GaborImplPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), seed, 0);
     return gabor_impl_warp(dune, gabor_vec2(3.0f), gabor_vec2(0.02f), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
-GABOR_INLINE GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 3);
     return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of) {
-    gabor_vec2 z = gabor_vec2(of.c.first.x, of.c.second.x);
-    float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.c.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
-    gabor_vec2 change = z.x * of.c.first.yz() + z.y * of.c.second.yz(); // half the derivative of the power
-    gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.c.second.yz() - z.y * of.c.first.yz()));
+GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
+    gabor_vec2 z = gabor_vec2(of.pair_2.first.x, of.pair_2.second.x);
+    float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.pair_2.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
+    gabor_vec2 change = z.x * of.pair_2.first.yz() + z.y * of.pair_2.second.yz(); // half the derivative of the power
+    gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.pair_2.second.yz() - z.y * of.pair_2.first.yz()));
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
-    gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
-               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
+    gabor_vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+               + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
-    float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f).x;
-    float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9f, 0.15f).x;
+    float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9f, 0.15f).x;
+    float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9f, 0.15f).x;
     colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * dark);
     colour = gabor_cpp_mix(colour, gabor_cpp_mix(sand.crest, gabor_vec3(1.0f), 0.6f), 3.0f * sand.grain * bright);
-    gabor_vec3 tall = gabor_vec3(sand.relief, 0.0f, 0.0f) + 0.2f * sand.relief * of.a.first;
-    gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.a.first + 0.00875f * sand.grain * of.b.first;
+    gabor_vec3 tall = gabor_vec3(sand.relief, 0.0f, 0.0f) + 0.2f * sand.relief * of.pair_0.first;
+    gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.pair_0.first + 0.00875f * sand.grain * of.pair_1.first;
     gabor_vec2 wave = ripples.density * ripples.wave; // per unit of the dune
-    wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.x), gabor_cpp_dot(wave, ripples.at.y));
+    wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.by_x), gabor_cpp_dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
-    gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
-              + 0.0009f * of.a.lost + 7.65625e-5f * sand.grain * sand.grain * of.b.lost;
+              + 0.0009f * of.pair_0.lost + 7.65625e-5f * sand.grain * sand.grain * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
-    of.c = gabor_impl_waves_pair(ripples);
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of.pair_2 = gabor_impl_waves_pair(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 // Five sizes of streaks, and six octaves of patina.
-GABOR_INLINE GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
     if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
@@ -1145,37 +1155,39 @@ GABOR_INLINE int gabor_impl_metal_layers(GaborBrushedMetal metal) {
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
-GABOR_INLINE void gabor_impl_add_metal(GaborPairs& of, int i, GaborLayer layer, GaborPair pair) {
+GABOR_INLINE void gabor_impl_add_metal(GaborImplPairs& of, int i, GaborImplLayer layer, GaborImplPair pair) {
     if (i >= 5) {
-        of.b = gabor_impl_plus(of.b, pair, layer.amplitude);
+        of.pair_1 = gabor_impl_plus(of.pair_1, pair, layer.amplitude);
         return;
     }
     float size = gabor_cpp_exp2(-float(i));
-    of.a.first += size * pair.first;
-    of.a.second += 0.4472136f * pair.second;
-    of.a.removed += 0.2f * pair.removed;
-    of.a.lost += size * size * pair.lost;
+    of.pair_0.first += size * pair.first;
+    of.pair_0.second += 0.4472136f * pair.second;
+    of.pair_0.removed += 0.2f * pair.removed;
+    of.pair_0.lost += size * size * pair.lost;
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    gabor_vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
-    gabor_vec3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
+GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
+    gabor_vec3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    gabor_vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
     float threshold = 2.4f - 3.8f * metal.weathering;
-    gabor_vec3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3f);
-    gabor_vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3f));
-    height += 0.003f * cover + 0.001f * of.b.first;
-    lost += 9.0e-6f * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3f) + 1.0e-6f * of.b.lost;
+    gabor_vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3f);
+    gabor_vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3f));
+    height += 0.003f * cover + 0.001f * of.pair_1.first;
+    lost += 9.0e-6f * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3f)
+          + 1.0e-6f * of.pair_1.lost;
     return gabor_impl_material(gabor_cpp_mix(colour, patina, cover.x), height, lost, gabor_cpp_mix(metal.roughness, 0.85f, cover.x),
                                1.0f - cover.x);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 period, GaborBrushedMetal metal, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_spots_pair(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
@@ -1185,17 +1197,18 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 //
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
-GABOR_INLINE GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
-    GaborPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    GaborImplPixel at = gabor_impl_turned(pixel, angle);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
-GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborPair noise) {
+GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = gabor_cpp_exp2(-0.13f * float(i));
     float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
     gabor_vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
@@ -1216,7 +1229,7 @@ GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborM
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_at(gabor_vec2 p, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1226,58 +1239,59 @@ GABOR_INLINE GaborMaterial gabor_scratches_at(gabor_vec2 p, gabor_vec2 period, G
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_hide(GaborPixel pixel, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, std::uint32_t seed) {
     return gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), seed, 0);
 }
 
-GABOR_INLINE float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
+GABOR_INLINE float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
     return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-GABOR_INLINE GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel skin, float direction, GaborZebra zebra,
-                                  std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, std::uint32_t seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, gabor_vec2(1.2f), seed, 4);
     return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
+GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
     float ragged = 0.1f * zebra.hair, relief = 0.002f * zebra.hair;
     // where it is small, a constant softness would blur the edge
-    float intensity = gabor_cpp_length(gabor_vec2(of.c.first.x, of.c.second.x));
-    float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
-                                  of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0f,
+    float intensity = gabor_cpp_length(gabor_vec2(of.pair_2.first.x, of.pair_2.second.x));
+    float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
+                                  of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0f,
                                   0.01f + 0.09f * intensity).x;
-    gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair)
-               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08f);
+    gabor_vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14f * zebra.hair)
+               + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0f);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) {
-    GaborPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), seed, 0);
+GABOR_INLINE GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, std::uint32_t seed) {
+    GaborImplPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), seed, 0);
     trunk = gabor_impl_warp(trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), seed, 1);
     return gabor_impl_warp(trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, std::uint32_t seed) {
-    GaborPixel at = trunk;
+GABOR_INLINE GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, std::uint32_t seed) {
+    GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_lobe_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
@@ -1285,57 +1299,58 @@ GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixe
     return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
-    gabor_vec3 shape = of.c.first + 0.2f * of.a.first;
-    float removed = of.c.removed + 0.04f * of.a.removed;
-    gabor_vec3 whole = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.55f * gabor_impl_line(of.d.first, of.d.removed, 0.13f);
+GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
+    gabor_vec3 shape = of.pair_2.first + 0.2f * of.pair_0.first;
+    float removed = of.pair_2.removed + 0.04f * of.pair_0.removed;
+    gabor_vec3 whole = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.55f * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.13f);
     gabor_vec3 risen = gabor_impl_above(shape, removed, -0.15f, 0.35f), plate = gabor_impl_times(risen, whole);
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
-    gabor_vec3 weighted = of.a.second + gabor_vec3(0.25f * of.a.removed, 0.0f, 0.0f);
-    float worn = 0.5f * gabor_impl_above(weighted, of.a.removed, 0.5f, 0.4f).x;
-    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f).x;
-    gabor_vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
+    gabor_vec3 weighted = of.pair_0.second + gabor_vec3(0.25f * of.pair_0.removed, 0.0f, 0.0f);
+    float worn = 0.5f * gabor_impl_above(weighted, of.pair_0.removed, 0.5f, 0.4f).x;
+    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9f, 0.5f).x;
+    gabor_vec2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25f);
     gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), tone), worn);
     gabor_vec3 moss = gabor_impl_toned(bark.moss, tone);
     gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
-    gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.a.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
-    float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.d.first, of.d.removed, 0.0919239f).x;
+    gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.pair_0.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
+    float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239f).x;
     float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
-    float deep = bark.depth + 0.0108f * of.a.first.x, coarses = 0.16f + 0.48f * plate.x + 0.36f * wholes * rises;
+    float deep = bark.depth + 0.0108f * of.pair_0.first.x, coarses = 0.16f + 0.48f * plate.x + 0.36f * wholes * rises;
     float both = 0.0072f * deep * coarse.x * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
-    gabor_vec3 lost = (deep * deep + 0.00011664f * of.a.removed)
-              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04f * of.a.lost, -0.15f, 0.35f)
-                 + 0.3025f * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f))
-              + (0.000324f * coarses + both) * of.a.lost;
+    gabor_vec3 lost = (deep * deep + 0.00011664f * of.pair_0.removed)
+              * (wholes * gabor_impl_above_lost(shape, removed, of.pair_2.lost + 0.04f * of.pair_0.lost, -0.15f, 0.35f)
+                 + 0.3025f * rises * gabor_impl_line_lost(of.pair_3.first, of.pair_3.removed, of.pair_3.lost, 0.13f))
+              + (0.000324f * coarses + both) * of.pair_0.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-GABOR_INLINE GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
+GABOR_INLINE GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, std::uint32_t seed) {
     gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds;
-    GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
+    GaborImplPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), folds.yz(), seed, 1);
     return gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, std::uint32_t seed) {
+GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       std::uint32_t seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
@@ -1343,34 +1358,35 @@ GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPi
     return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
 }
 
-GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
-    gabor_vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f); // the soft layers, which erode
-    gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
+    gabor_vec3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5f, 0.22f); // the soft layers, which erode
+    gabor_vec2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13f)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
-                      gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
+                      gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0f, 0.5f).x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.red, tones), 0.8f * soft.x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.pale, tones),
-                 0.75f * gabor_impl_above(of.d.first, of.d.removed, 1.0f, 0.2f).x);
+                 0.75f * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0f, 0.2f).x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.red, tones),
-                 0.6f * gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f).x);
-    gabor_vec3 height = 0.02f * of.b.second - 0.012f * soft + 0.006f * of.d.first + 0.0015f * of.e.first + 0.003f * of.a.second;
-    gabor_vec3 lost = 0.0004f * of.b.lost + 3.6e-5f * of.d.lost + 2.25e-6f * of.e.lost + 9.0e-6f * of.a.lost
-              + 0.000144f * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);
+                 0.6f * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3f, 0.15f).x);
+    gabor_vec3 height = 0.02f * of.pair_1.second - 0.012f * soft + 0.006f * of.pair_3.first + 0.0015f * of.pair_4.first
+                + 0.003f * of.pair_0.second;
+    gabor_vec3 lost = 0.0004f * of.pair_1.lost + 3.6e-5f * of.pair_3.lost + 2.25e-6f * of.pair_4.lost + 9.0e-6f * of.pair_0.lost
+              + 0.000144f * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5f, 0.22f);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
                                0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
-    of.e = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
 
@@ -1378,19 +1394,19 @@ GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, Gabo
 
 #ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
@@ -1398,65 +1414,65 @@ GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborCarbonFibre fibres,
                                              std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
+    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
     }
     return material;
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    of.c = gabor_impl_filtered_waves(ripples);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
                                               std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1465,34 +1481,34 @@ GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     for (int j = 6; j < 8; ++j) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.c = pair;
-        else of.d = pair;
+        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
+        if (j == 6) of.pair_2 = pair;
+        else of.pair_3 = pair;
     }
     return gabor_impl_bark(bark, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 8; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
@@ -1613,4 +1629,4 @@ GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, ga
 }
 #endif
 
-#endif // GABOR_MATERIALS_HPP
+#endif

@@ -34,7 +34,7 @@ using namespace metal;
 #error gabor_materials.metal needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_MATERIALS_METAL
-#define GABOR_MATERIALS_METAL
+#define GABOR_MATERIALS_METAL 1
 
 struct GaborMaterial {
     float3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
@@ -201,8 +201,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 inline float3 gabor_impl_times(float3 a, float3 b) {
@@ -224,33 +224,33 @@ inline float3 gabor_impl_turned_square(float3 m, float2 x, float2 y) {
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
 // filter, and the period, 0 for none. Warps move it and bend the steps.
-struct GaborPixel {
-    float2 p;
-    float2 x;
-    float2 y;
+struct GaborImplPixel {
+    float2 position;
+    float2 by_x;
+    float2 by_y;
     float2 dx;
     float2 dy;
     float2 period;
 };
 
-inline GaborPixel gabor_impl_pixel_at(float2 p, float2 dx, float2 dy, float2 period) {
+inline GaborImplPixel gabor_impl_pixel_at(float2 p, float2 dx, float2 dy, float2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : float2(0.0);
-    return GaborPixel{p, float2(1.0, 0.0), float2(0.0, 1.0), dx, dy, period};
+    return GaborImplPixel{p, float2(1.0, 0.0), float2(0.0, 1.0), dx, dy, period};
 }
 
 // A position along the warped x or y axis, with derivatives.
-inline float3 gabor_impl_along_x(GaborPixel at) {
-    return float3(at.p.x, at.x.x, at.y.x);
+inline float3 gabor_impl_along_x(GaborImplPixel at) {
+    return float3(at.position.x, at.by_x.x, at.by_y.x);
 }
-inline float3 gabor_impl_along_y(GaborPixel at) {
-    return float3(at.p.y, at.x.y, at.y.y);
+inline float3 gabor_impl_along_y(GaborImplPixel at) {
+    return float3(at.position.y, at.by_x.y, at.by_y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-inline GaborPlace gabor_impl_place(GaborPixel at, float2 density) {
+inline GaborPlace gabor_impl_place(GaborImplPixel at, float2 density) {
     if (at.period.x > 0.0)
-        return gabor_place_tiled(density * at.p, density * at.period);
-    return gabor_place_at(density * at.p);
+        return gabor_place_tiled(density * at.position, density * at.period);
+    return gabor_place_at(density * at.position);
 }
 
 inline uint3 gabor_impl_three_line_words(int index, int period, uint salt) {
@@ -288,31 +288,32 @@ inline GaborField gabor_impl_spots(GaborPlace place, uint seed) {
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
-inline float4 gabor_impl_radii(GaborPixel at, float2 density) {
+inline float4 gabor_impl_radii(GaborImplPixel at, float2 density) {
     return float4(density * at.dx, density * at.dy);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
-inline GaborPixel gabor_impl_warp(GaborPixel at, float2 density, float2 amplitude, uint seed, int index) {
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
+inline GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitude, uint seed, int index) {
     float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size;
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
-    return GaborPixel{at.p + amplitude * float2(field.quadrature, field.noise),
-                      at.x + at.x.x * along_x + at.x.y * along_y, at.y + at.y.x * along_x + at.y.y * along_y,
-                      at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                      at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
+    return GaborImplPixel{at.position + amplitude * float2(field.quadrature, field.noise),
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-inline GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
+inline GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
     float2 y = float2(-turn.y, turn.x);
@@ -332,21 +333,21 @@ inline GaborPixel gabor_impl_turned(GaborPixel at, float angle) {
         x = period.x * float2(other.y, -other.x) / at.period;
         y = period.y * float2(-whole.y, whole.x) / at.period;
     }
-    return GaborPixel{float2(dot(x, at.p), dot(y, at.p)), float2(dot(x, at.x), dot(y, at.x)),
-                      float2(dot(x, at.y), dot(y, at.y)), float2(dot(x, at.dx), dot(y, at.dx)),
-                      float2(dot(x, at.dy), dot(y, at.dy)), period};
+    return GaborImplPixel{float2(dot(x, at.position), dot(y, at.position)), float2(dot(x, at.by_x), dot(y, at.by_x)),
+                          float2(dot(x, at.by_y), dot(y, at.by_y)), float2(dot(x, at.dx), dot(y, at.dx)),
+                          float2(dot(x, at.dy), dot(y, at.dy)), period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
 // multiple of `whole` repetitions.
-inline float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
+inline float2 gabor_impl_repeated(GaborImplPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0)
         return max(floor(pixel.period * (count / whole) + 0.5), float2(1.0)) * whole / pixel.period;
     return float2(count);
 }
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
-inline float gabor_impl_sine_kept(GaborPixel at, float count) {
+inline float gabor_impl_sine_kept(GaborImplPixel at, float count) {
     return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
 }
 
@@ -354,9 +355,9 @@ inline float gabor_impl_sine_kept(GaborPixel at, float count) {
 
 // A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
 // `amplitude`, to pair `slot` of a material.
-struct GaborLayer {
+struct GaborImplLayer {
     int slot;
-    GaborPixel at;
+    GaborImplPixel at;
     float2 density;
     float2 wave;
     float amplitude;
@@ -364,25 +365,26 @@ struct GaborLayer {
 };
 
 // A layer of frequency 0.
-inline GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, float2 density, uint seed, int index) {
-    return GaborLayer{slot, at, density, float2(0.0), 1.0, gabor_lobe_seed(seed, index)};
+inline GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, float2 density, uint seed, int index) {
+    return GaborImplLayer{slot, at, density, float2(0.0), 1.0, gabor_lobe_seed(seed, index)};
 }
 
-inline GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, float2 density, float frequency, float orientation, uint seed,
-                                  int index) {
-    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index)};
+inline GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 density, float frequency, float orientation,
+                                      uint seed, int index) {
+    return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                          gabor_lobe_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-inline GaborLayer gabor_impl_octave(GaborPixel at, float2 density, int i, int count, float gain, uint seed) {
+inline GaborImplLayer gabor_impl_octave(GaborImplPixel at, float2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
-    return GaborLayer{0, at, density * exp2(1.0214797 * float(i)), float2(0.0), pow(gain, float(i)) * rsqrt(power),
-                      gabor_lobe_seed(seed, i)};
+    return GaborImplLayer{0, at, density * exp2(1.0214797 * float(i)), float2(0.0),
+                          pow(gain, float(i)) * rsqrt(power), gabor_lobe_seed(seed, i)};
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
 // share of their variance that a filter removed, and the covariance of their derivatives that it removed.
-struct GaborPair {
+struct GaborImplPair {
     float3 first;
     float3 second;
     float removed;
@@ -390,45 +392,46 @@ struct GaborPair {
 };
 
 // The pairs of a material.
-struct GaborPairs {
-    GaborPair a;
-    GaborPair b;
-    GaborPair c;
-    GaborPair d;
-    GaborPair e;
+struct GaborImplPairs {
+    GaborImplPair pair_0;
+    GaborImplPair pair_1;
+    GaborImplPair pair_2;
+    GaborImplPair pair_3;
+    GaborImplPair pair_4;
 };
 
-inline GaborPair gabor_impl_no_pair() {
-    return GaborPair{float3(0.0), float3(0.0), 0.0, float3(0.0)};
+inline GaborImplPair gabor_impl_no_pair() {
+    return GaborImplPair{float3(0.0), float3(0.0), 0.0, float3(0.0)};
 }
 
-inline GaborPairs gabor_impl_no_pairs() {
-    GaborPair none = gabor_impl_no_pair();
-    return GaborPairs{none, none, none, none, none};
+inline GaborImplPairs gabor_impl_no_pairs() {
+    GaborImplPair none = gabor_impl_no_pair();
+    return GaborImplPairs{none, none, none, none, none};
 }
 
-inline GaborPair gabor_impl_pair(GaborLayer layer, GaborField field, float3 lost) {
-    float2 x = layer.density * layer.at.x, y = layer.density * layer.at.y;
-    return GaborPair{float3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                     float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                     gabor_impl_turned_square(lost, x, y)};
+inline GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, float3 lost) {
+    float2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    return GaborImplPair{float3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
+                         float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y)};
 }
 
-inline GaborPair gabor_impl_plus(GaborPair sum, GaborPair pair, float amplitude) {
-    return GaborPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
-                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost};
+inline GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
+    return GaborImplPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost};
 }
 
-inline GaborPair gabor_impl_spots_pair(GaborLayer layer) {
+inline GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), float3(0.0));
 }
 
 // A sum and an octave of it.
-inline GaborPair gabor_impl_plus_octave(GaborPair sum, GaborLayer layer) {
+inline GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLayer layer) {
     return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
 }
 
-inline GaborPair gabor_impl_waves_pair(GaborLayer layer) {
+inline GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
                            float3(0.0));
 }
@@ -445,28 +448,29 @@ inline float4 gabor_impl_spots_node(float value, float slope, float damped, floa
 }
 
 // The nodes of an axis with its words.
-struct GaborSpotsAxis {
+struct GaborImplSpotsAxis {
     uint3 word;
     float4 first;
     float4 middle;
     float4 last;
 };
 
-inline GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
+inline GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
     float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
     float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     float2 t = clamp((0.33333333 + 0.66666667 * float2(-offset, offset)) / width, 0.0, 1.0);
     float2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * float2(-1.0, 1.0);
     float4 value, slope;
     gabor_impl_windows(offset, value, slope);
-    return GaborSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                          gabor_impl_spots_node(value.x, slope.x, damped, float2(fade.x, change.x)),
-                          gabor_impl_spots_node(value.y, slope.y, damped, float2(1.0, 0.0)),
-                          gabor_impl_spots_node(value.z, slope.z, damped, float2(fade.y, change.y))};
+    return GaborImplSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
+                              gabor_impl_spots_node(value.x, slope.x, damped, float2(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, float2(1.0, 0.0)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, float2(fade.y, change.y))};
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-inline void gabor_impl_add_spots_row(thread float4& sum, thread float2& along_y, GaborSpotsAxis x, uint word, float4 y, float coupling) {
+inline void gabor_impl_add_spots_row(thread float4& sum, thread float2& along_y, GaborImplSpotsAxis x, uint word, float4 y,
+                              float coupling) {
     float2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     float2 c = gabor_impl_amplitude(x.word.z * word);
     float4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
@@ -477,29 +481,29 @@ inline void gabor_impl_add_spots_row(thread float4& sum, thread float2& along_y,
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborSpotsLine {
+struct GaborImplSpotsLine {
     uint word;
     float3 window;
     float2 fade;
 };
 
-inline GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
+inline GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     float2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                          float3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+    return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                              float3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
 // derivative of its fade.
-struct GaborSpotsRow {
+struct GaborImplSpotsRow {
     float3 real;
     float3 imaginary;
     float2 edge;
 };
 
-inline void gabor_impl_add_spot(thread GaborSpotsRow& row, GaborSpotsLine x, uint row_word) {
+inline void gabor_impl_add_spot(thread GaborImplSpotsRow& row, GaborImplSpotsLine x, uint row_word) {
     float2 a = gabor_impl_amplitude(x.word * row_word);
     row.real += x.fade.x * a.x * x.window;
     row.imaginary += x.fade.x * a.y * x.window;
@@ -510,18 +514,18 @@ inline GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted,
     float2 m = s.xy + 0.13069097;
     float rho = s.z * rsqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
-    GaborFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x, salt, float2(1.0, 0.0));
-    GaborFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
-    GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
+    GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
+                                                            place.period.x, salt, float2(1.0, 0.0));
+    GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
+    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
+    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
     float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0), edge_x = float2(0.0), edge_y = float2(0.0);
     int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
     do {
-        GaborSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborSpotsRow row = GaborSpotsRow{float3(0.0), float3(0.0), float2(0.0)};
+        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
+        GaborImplSpotsRow row = GaborImplSpotsRow{float3(0.0), float3(0.0), float2(0.0)};
         gabor_impl_add_spot(row, x_0, y.word);
         gabor_impl_add_spot(row, x_1, y.word);
         gabor_impl_add_spot(row, x_2, y.word);
@@ -543,8 +547,9 @@ inline GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted,
 }
 
 inline GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt) {
-    GaborSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborImplSpotsAxis y =
+        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
     float4 sum = float4(0.0);
     float2 along_y = float2(0.0);
     gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
@@ -558,7 +563,7 @@ inline GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt)
 // The same as gabor_field_filtered with the wave vector 0.
 inline GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uint seed) {
     float2 stretch = place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(float2(0.0), footprint.covariance);
     float amplitude = sqrt(kept / gabor_impl_transmitted(float2(0.0), footprint.resolved));
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
@@ -573,9 +578,10 @@ inline GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 
     return sum;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-inline GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
+inline GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     float4 steps = gabor_impl_radii(layer.at, layer.density);
     float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
     float3 inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
@@ -585,25 +591,25 @@ inline GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field) {
     return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
 
-inline GaborPair gabor_impl_filtered_waves(GaborLayer layer) {
+inline GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     float4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
 }
 
-inline GaborPair gabor_impl_filtered_spots(GaborLayer layer) {
+inline GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
     float4 steps = gabor_impl_radii(layer.at, layer.density);
     return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
 }
 
-inline void gabor_impl_add_filtered_spots(thread GaborPairs& sum, GaborLayer layer) {
-    GaborPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.a = gabor_impl_plus(sum.a, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.b = gabor_impl_plus(sum.b, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.c = gabor_impl_plus(sum.c, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.d = gabor_impl_plus(sum.d, pair, layer.amplitude);
-    else sum.e = gabor_impl_plus(sum.e, pair, layer.amplitude);
+inline void gabor_impl_add_filtered_spots(thread GaborImplPairs& sum, GaborImplLayer layer) {
+    GaborImplPair pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
+    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
+    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
+    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
+    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
 }
 #endif
 
@@ -674,8 +680,8 @@ inline float3 gabor_impl_toned(float3 colour, float2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 inline float3 gabor_impl_rise(float3 phase, float3 span) {
     float3 ends = gabor_impl_ends_at(phase.x, span.x);
     float2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
@@ -713,46 +719,47 @@ inline GaborMaterial gabor_impl_material(float3 colour, float3 height, float3 lo
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-inline GaborPixel gabor_impl_board(GaborPixel pixel, GaborWood wood, uint seed) {
+inline GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood wood, uint seed) {
     float2 bends = float2(0.43, 0.018) * wood.waviness;
-    GaborPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(bends.x, 0.0), seed, 0);
+    GaborImplPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(bends.x, 0.0), seed, 0);
     return gabor_impl_warp(board, float2(4.0, 0.9), float2(bends.y, 0.0), seed, 1);
 }
 
 // Pores, fibres and tone.
-inline GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborPixel board, uint seed) {
+inline GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, uint seed) {
     if (i == 2) return gabor_impl_spots_layer(2, board, float2(3.5, 0.35), seed, 5);
     return gabor_impl_spots_layer(i, pixel, i == 0 ? float2(90.0, 4.5) : float2(150.0, 2.0), seed, 3 + i);
 }
 
-inline GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, uint seed) {
+inline GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, uint seed) {
     board = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), seed, 2);
     float rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
     float3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     float3 ring = gabor_impl_rise(years, float3(kept, 0.0, 0.0));
-    float3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
+    float3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     float3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
-    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
-               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
+    float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11)
+               + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13);
     float3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45 * deep.x * wood.late;
-    float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
+    float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
     float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
-    float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
-              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
+    float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+              + 4.0e-8 * of.pair_1.lost
+              + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
 inline GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
@@ -776,8 +783,8 @@ inline float2 gabor_impl_sample(int i, int count) {
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : float2(0.0);
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 inline void gabor_impl_average(thread float3& height, thread float3& lost, int count, float kept, float mean, float3 square) {
     height = kept / float(count) * height + float3((1.0 - kept) * mean, 0.0, 0.0);
     lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : float3(0.0);
@@ -785,19 +792,19 @@ inline void gabor_impl_average(thread float3& height, thread float3& lost, int c
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
+inline GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_warp(pixel, float2(0.7), float2(0.02 * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-inline GaborLayer gabor_impl_fabric_layer(int i, GaborPixel cloth, float2 count, uint seed) {
+inline GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, float2 count, uint seed) {
     float2 density = i == 0 ? float2(0.7 * count.x, 1.1) : i == 1 ? float2(1.1, 0.7 * count.y)
                  : i == 2 ? float2(14.0, 2.0) * count : float2(2.0, 14.0) * count;
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
-inline float2 gabor_impl_threads(GaborPixel pixel, GaborFabric fabric) {
+inline float2 gabor_impl_threads(GaborImplPixel pixel, GaborFabric fabric) {
     return gabor_impl_repeated(pixel, fabric.threads, fabric.weave < 0.5 ? 2.0 : fabric.weave < 1.5 ? 4.0 : 16.0);
 }
 
@@ -808,8 +815,8 @@ inline float gabor_impl_over(float x, float y, float weave) {
     return fract(0.25 * (x + y) + 0.125) < 0.5 ? 1.0 : -1.0; // over two, under two
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 inline float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
     float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
@@ -819,17 +826,17 @@ inline float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-inline GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabric fabric, GaborPairs of) {
+inline GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric fabric, GaborImplPairs of) {
     float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
     float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     float2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.3, 0.7, spread);
-    at_x += 0.13 * uneven * of.a.first;
-    at_y += 0.13 * uneven * of.b.first;
-    float2 warp_tones = gabor_impl_tone(of.a.first.x, of.a.removed, 0.09 * uneven)
-                    + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
-    float2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
-                    + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
+    at_x += 0.13 * uneven * of.pair_0.first;
+    at_y += 0.13 * uneven * of.pair_1.first;
+    float2 warp_tones = gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12);
+    float2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12);
     float3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
     float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
     int samples = gabor_impl_samples(spread);
@@ -842,22 +849,23 @@ inline GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabr
         float over = gabor_impl_over(thread_.x, thread_.y, fabric.weave);
         bool level_y = over == gabor_impl_over(thread_.x, thread_.y + (y.x < 0.0 ? -1.0 : 1.0), fabric.weave);
         bool level_x = over == gabor_impl_over(thread_.x + (x.x < 0.0 ? -1.0 : 1.0), thread_.y, fabric.weave);
-        float3 along_y = gabor_impl_thread(x, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.a.second, y, over, level_y);
-        float3 along_x = gabor_impl_thread(y, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.b.second, x, -over, level_x);
+        float3 along_y = gabor_impl_thread(x, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.pair_0.second, y, over, level_y);
+        float3 along_x = gabor_impl_thread(y, float3(1.0, 0.0, 0.0) + 0.16 * uneven * of.pair_1.second, x, -over, level_x);
         bool first = along_y.x > along_x.x;
         float3 top = first ? along_y : along_x;
         if (top.x < -1.3) top = float3(-1.3, 0.0, 0.0);
         colour += mix(0.18, 1.0, smoothstep(-1.3, 0.5, top.x)) * (first ? warp : weft);
-        top = 0.3 * top + 0.035 * (first ? of.c.second : of.d.second);
+        top = 0.3 * top + 0.035 * (first ? of.pair_2.second : of.pair_3.second);
         height += top;
         lost += gabor_impl_square(top.yz);
     }
-    float3 mean = float3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    float3 mean =
+        float3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = float3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, float3(mean.z * count * count, 0.0));
     colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
     height *= unit;
-    lost = unit * unit * (lost + 0.0006125 * (of.c.lost + of.d.lost));
+    lost = unit * unit * (lost + 0.0006125 * (of.pair_2.lost + of.pair_3.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
         float3 at = cords * gabor_impl_along_x(cloth);
@@ -874,34 +882,34 @@ inline GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabr
 }
 
 inline GaborMaterial gabor_fabric_at(float2 p, float2 period, GaborFabric fabric, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
-inline GaborPixel gabor_impl_twill(GaborPixel pixel, uint seed) {
+inline GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, uint seed) {
     return gabor_impl_warp(pixel, float2(0.8), float2(0.008), seed, 0);
 }
 
 // The fibres of tows along y and x.
-inline GaborLayer gabor_impl_tow_layer(int i, GaborPixel cloth, float2 count, uint seed) {
+inline GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, float2 count, uint seed) {
     return gabor_impl_spots_layer(i, cloth, (i == 0 ? float2(20.0, 0.6) : float2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, float2 count, GaborCarbonFibre fibres, GaborPairs of) {
+inline GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, float2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     float2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
-    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
-    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
+    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
     float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -918,57 +926,59 @@ inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, float2 count, Gab
         float2 wave = float2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
         float3 bulge = float3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
-        bulge = 0.16 * bulge + 0.006 * (first ? of.a.first : of.b.first);
+        bulge = 0.16 * bulge + 0.006 * (first ? of.pair_0.first : of.pair_1.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
     gabor_impl_average(height, lost, samples, kept, 0.072432, 0.0256 * 2.154 * float3(count * count, 0.0));
     colour = mix(0.3221275 * (warp + weft), colour / float(samples), kept);
-    lost = unit * unit * (lost + 1.8e-5 * (of.a.lost + of.b.lost));
+    lost = unit * unit * (lost + 1.8e-5 * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
 inline GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fibres, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
-inline GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
+inline GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
     float2 bends = float2(0.07, 0.014) * leather.wrinkles;
-    GaborPixel skin = gabor_impl_warp(pixel, float2(0.9), float2(bends.x), seed, 0);
+    GaborImplPixel skin = gabor_impl_warp(pixel, float2(0.9), float2(bends.x), seed, 0);
     return gabor_impl_warp(skin, float2(4.0), float2(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-inline GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, uint seed) {
+inline GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
+                                        uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, float2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, float2(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, float2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
-inline GaborPair gabor_impl_moved_waves(GaborPair waves, GaborPixel at, float2 wave, float2 offset, float turns) {
+inline GaborImplPair gabor_impl_moved_waves(GaborImplPair waves, GaborImplPixel at, float2 wave, float2 offset, float turns) {
     float2 turn = gabor_impl_wave(turns);
-    float3 phase = 6.2831853 * float3(0.0, dot(wave, at.x), dot(wave, at.y));
+    float3 phase = 6.2831853 * float3(0.0, dot(wave, at.by_x), dot(wave, at.by_y));
     float3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += dot(a.yz, offset);
     b.x += dot(b.yz, offset);
     float3 first = turn.x * a - turn.y * b, second = turn.y * a + turn.x * b;
-    return GaborPair{first - second.x * phase, second + first.x * phase, 0.0, float3(0.0)};
+    return GaborImplPair{first - second.x * phase, second + first.x * phase, 0.0, float3(0.0)};
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
-inline void gabor_impl_crest(GaborPair waves, thread float3& cosine, thread float3& sine) {
+inline void gabor_impl_crest(GaborImplPair waves, thread float3& cosine, thread float3& sine) {
     float power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12;
     float2 change = waves.first.x * waves.first.yz + waves.second.x * waves.second.yz;
     float3 unit = rsqrt(power) * float3(1.0, -1.0 / power * change);
@@ -977,7 +987,7 @@ inline void gabor_impl_crest(GaborPair waves, thread float3& cosine, thread floa
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather leather, GaborPairs of) {
+inline GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, GaborImplPairs of) {
     float2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
     float2 dx = float2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     float2 dy = float2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
@@ -989,15 +999,15 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
         float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
         float3 a, b, sine_a, sine_b;
-        gabor_impl_crest(gabor_impl_moved_waves(of.c, skin, wave_a, further, offset.x), a, sine_a);
-        gabor_impl_crest(gabor_impl_moved_waves(of.d, skin, wave_b, further, offset.y), b, sine_b);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_2, skin, wave_a, further, offset.x), a, sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of.pair_3, skin, wave_b, further, offset.y), b, sine_b);
         // 3 in the middle of a cell, -1.5 in a corner
         float3 cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
-        float3 grained = cells + 0.1 * of.a.second;
+        float3 grained = cells + 0.1 * of.pair_0.second;
         float2 pebble = gabor_impl_step(-1.45, -0.55, float3(grained.x, 1.0, 0.0)).xy; // with its derivative
         share += pebble.x;
         float3 relief = 0.016 * float3(pebble.x, pebble.y * grained.yz) + 0.013 * gabor_impl_step(-1.0, 3.0, cells)
-                    + 0.0008 * of.a.second;
+                    + 0.0008 * of.pair_0.second;
         float grain = 0.0016 * pebble.y + 0.0008; // the height's derivative by the grain
         grains += grain * grain;
         height += relief;
@@ -1006,37 +1016,37 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
     float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, -0.00012);
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
-    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
+    float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
     float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
-    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.a.lost);
+    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 inline GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leather, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
+inline GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint seed) {
     float4 bends = float4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
-    GaborPixel stone = gabor_impl_warp(pixel, float2(1.1), float2(bends.x), seed, 0);
+    GaborImplPixel stone = gabor_impl_warp(pixel, float2(1.1), float2(bends.x), seed, 0);
     stone = gabor_impl_warp(stone, float2(4.0), float2(bends.y), seed, 1);
     stone = gabor_impl_warp(stone, float2(13.0), float2(bends.z), seed, 2);
     return gabor_impl_warp(stone, float2(40.0), float2(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-inline GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, uint seed) {
+inline GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
     if (i < 3) return gabor_impl_octave(stone, float2(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, float2(75.0), seed, 9);
     float3 vein = i == 4 ? float3(1.9, 0.95, -0.45) : i == 5 ? float3(0.95, 0.85, 0.65)
@@ -1044,7 +1054,7 @@ inline GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel st
     return gabor_impl_waves_layer(2, stone, float2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
-inline GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
+inline GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
     float3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
@@ -1053,7 +1063,7 @@ inline GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, Gabo
 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-inline void gabor_impl_add_veins(thread GaborMaterial& stone, GaborMarble marble, int i, GaborPair vein) {
+inline void gabor_impl_add_veins(thread GaborMaterial& stone, GaborMarble marble, int i, GaborImplPair vein) {
     float2 width = i == 4 ? float2(0.25, 0.035) : i == 5 ? float2(0.35, 0.05) : float2(1.0, i == 6 ? 0.04 : 0.05);
     float2 strength = marble.veins * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
@@ -1066,15 +1076,15 @@ inline void gabor_impl_add_veins(thread GaborMaterial& stone, GaborMarble marble
 }
 
 inline GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPair cloud = gabor_impl_no_pair();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_waves_pair(layer));
     }
     return material;
@@ -1082,59 +1092,59 @@ inline GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_dune(GaborPixel pixel, uint seed) {
-    GaborPixel dune = gabor_impl_warp(pixel, float2(0.8), float2(0.15), seed, 0);
+inline GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
+    GaborImplPixel dune = gabor_impl_warp(pixel, float2(0.8), float2(0.15), seed, 0);
     return gabor_impl_warp(dune, float2(3.0), float2(0.02), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
-inline GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, uint seed) {
+inline GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, float2(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, float2(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
-inline GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of) {
-    float2 z = float2(of.c.first.x, of.c.second.x);
-    float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.c.removed, span = 0.9 * sqrt(power / whole);
-    float2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
-    float3 phase = float3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
+inline GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
+    float2 z = float2(of.pair_2.first.x, of.pair_2.second.x);
+    float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.pair_2.removed, span = 0.9 * sqrt(power / whole);
+    float2 change = z.x * of.pair_2.first.yz + z.y * of.pair_2.second.yz; // half the derivative of the power
+    float3 phase = float3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
     float3 ripple = gabor_impl_rise(phase, span * float3(1.0, (1.0 / power - 1.0 / whole) * change));
-    float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
-               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
+    float2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+               + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06);
     float3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
-    float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
-    float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
+    float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
+    float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
     colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
     colour = mix(colour, mix(sand.crest, float3(1.0), 0.6), 3.0 * sand.grain * bright);
-    float3 tall = float3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.a.first;
-    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain * of.b.first;
+    float3 tall = float3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.pair_0.first;
+    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first + 0.00875 * sand.grain * of.pair_1.first;
     float2 wave = ripples.density * ripples.wave; // per unit of the dune
-    wave = float2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
+    wave = float2(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     float3 bent = float3(0.4 * ripples.density * ripples.density, 0.0);
-    float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     float3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
+              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
 inline GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
-    of.c = gabor_impl_waves_pair(ripples);
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of.pair_2 = gabor_impl_waves_pair(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 // Five sizes of streaks, and six octaves of patina.
-inline GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
+inline GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
     if (i >= 5) return gabor_impl_octave(pixel, float2(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
     float2 density = float2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
@@ -1146,37 +1156,39 @@ inline int gabor_impl_metal_layers(GaborBrushedMetal metal) {
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
-inline void gabor_impl_add_metal(thread GaborPairs& of, int i, GaborLayer layer, GaborPair pair) {
+inline void gabor_impl_add_metal(thread GaborImplPairs& of, int i, GaborImplLayer layer, GaborImplPair pair) {
     if (i >= 5) {
-        of.b = gabor_impl_plus(of.b, pair, layer.amplitude);
+        of.pair_1 = gabor_impl_plus(of.pair_1, pair, layer.amplitude);
         return;
     }
     float size = exp2(-float(i));
-    of.a.first += size * pair.first;
-    of.a.second += 0.4472136 * pair.second;
-    of.a.removed += 0.2 * pair.removed;
-    of.a.lost += size * size * pair.lost;
+    of.pair_0.first += size * pair.first;
+    of.pair_0.second += 0.4472136 * pair.second;
+    of.pair_0.removed += 0.2 * pair.removed;
+    of.pair_0.lost += size * size * pair.lost;
 }
 
-inline GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    float3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
-    float3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
+inline GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
+    float3 colour =
+        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
+    float3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
     if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
     float threshold = 2.4 - 3.8 * metal.weathering;
-    float3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3);
-    float3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3));
-    height += 0.003 * cover + 0.001 * of.b.first;
-    lost += 9.0e-6 * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3) + 1.0e-6 * of.b.lost;
+    float3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
+    float3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
+    height += 0.003 * cover + 0.001 * of.pair_1.first;
+    lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
+          + 1.0e-6 * of.pair_1.lost;
     return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
                                1.0 - cover.x);
 }
 
 inline GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushedMetal metal, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_spots_pair(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
@@ -1186,17 +1198,18 @@ inline GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushe
 //
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
-inline GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
+inline GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
     float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
-    GaborPixel at = gabor_impl_turned(pixel, angle);
-    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
+    GaborImplPixel at = gabor_impl_turned(pixel, angle);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
     return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
-inline void gabor_impl_add_scratches(thread GaborMaterial& sum, GaborScratches scratches, int i, GaborPair noise) {
+inline void gabor_impl_add_scratches(thread GaborMaterial& sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = exp2(-0.13 * float(i));
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
     float3 open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
@@ -1217,7 +1230,7 @@ inline GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMateria
 }
 
 inline GaborMaterial gabor_scratches_at(float2 p, float2 period, GaborScratches scratches, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
     GaborMaterial sum = GaborMaterial{float3(1.0), 0.0, float2(0.0), 0.0, 0.0, float3(0.0)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1227,58 +1240,59 @@ inline GaborMaterial gabor_scratches_at(float2 p, float2 period, GaborScratches 
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_hide(GaborPixel pixel, uint seed) {
+inline GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, uint seed) {
     return gabor_impl_warp(pixel, float2(0.9), float2(0.14), seed, 0);
 }
 
-inline float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
+inline float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, float2(0.6));
     return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-inline GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel skin, float direction, GaborZebra zebra,
-                                  uint seed) {
+inline GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
+                                      GaborZebra zebra, uint seed) {
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, float2(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, float2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
-inline GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
+inline GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
     float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
     // where it is small, a constant softness would blur the edge
-    float intensity = length(float2(of.c.first.x, of.c.second.x));
-    float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
-                                  of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0,
+    float intensity = length(float2(of.pair_2.first.x, of.pair_2.second.x));
+    float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
+                                  of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
-               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
+    float2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
+               + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
     float3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
-    return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
+    return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
+                               0.0);
 }
 
 inline GaborMaterial gabor_zebra_at(float2 p, float2 period, GaborZebra zebra, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
-    of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    GaborImplPairs of = gabor_impl_no_pairs();
+    of.pair_0 = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_trunk(GaborPixel pixel, uint seed) {
-    GaborPixel trunk = gabor_impl_warp(pixel, float2(0.8, 0.35), float2(0.22, 0.1), seed, 0);
+inline GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, uint seed) {
+    GaborImplPixel trunk = gabor_impl_warp(pixel, float2(0.8, 0.35), float2(0.22, 0.1), seed, 0);
     trunk = gabor_impl_warp(trunk, float2(3.0, 1.6), float2(0.05, 0.05), seed, 1);
     return gabor_impl_warp(trunk, float2(10.0), float2(0.013), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-inline GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, uint seed) {
-    GaborPixel at = trunk;
+inline GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, uint seed) {
+    GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
@@ -1286,57 +1300,58 @@ inline GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trun
     return gabor_impl_waves_layer(3, trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }
 
-inline GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
-    float3 shape = of.c.first + 0.2 * of.a.first;
-    float removed = of.c.removed + 0.04 * of.a.removed;
-    float3 whole = float3(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of.d.first, of.d.removed, 0.13);
+inline GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
+    float3 shape = of.pair_2.first + 0.2 * of.pair_0.first;
+    float removed = of.pair_2.removed + 0.04 * of.pair_0.removed;
+    float3 whole = float3(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.13);
     float3 risen = gabor_impl_above(shape, removed, -0.15, 0.35), plate = gabor_impl_times(risen, whole);
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
-    float3 weighted = of.a.second + float3(0.25 * of.a.removed, 0.0, 0.0);
-    float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
-    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
-    float2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
+    float3 weighted = of.pair_0.second + float3(0.25 * of.pair_0.removed, 0.0, 0.0);
+    float worn = 0.5 * gabor_impl_above(weighted, of.pair_0.removed, 0.5, 0.4).x;
+    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
+    float2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25);
     float3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, float3(1.0), 0.13), tone), worn);
     float3 moss = gabor_impl_toned(bark.moss, tone);
     float3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
     float3 coarse = float3(0.4, 0.0, 0.0) + 0.6 * plate;
-    float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
-    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
-    // the plate.
-    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.d.first, of.d.removed, 0.0919239).x;
+    float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
+    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
-    float deep = bark.depth + 0.0108 * of.a.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
+    float deep = bark.depth + 0.0108 * of.pair_0.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
     float both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(float3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
-    float3 lost = (deep * deep + 0.00011664 * of.a.removed)
-              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
-                 + 0.3025 * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13))
-              + (0.000324 * coarses + both) * of.a.lost;
+    float3 lost = (deep * deep + 0.00011664 * of.pair_0.removed)
+              * (wholes * gabor_impl_above_lost(shape, removed, of.pair_2.lost + 0.04 * of.pair_0.lost, -0.15, 0.35)
+                 + 0.3025 * rises * gabor_impl_line_lost(of.pair_3.first, of.pair_3.removed, of.pair_3.lost, 0.13))
+              + (0.000324 * coarses + both) * of.pair_0.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
 
 inline GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-inline GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
+inline GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint seed) {
     float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folds;
-    GaborPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
+    GaborImplPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, float2(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, float2(7.0, 10.0), float2(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-inline GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, uint seed) {
+inline GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
+                                       uint seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
@@ -1344,34 +1359,35 @@ inline GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel ro
     return gabor_impl_spots_layer(i - 3, rock, density * float2(1.0, strata.layers), seed, i - 1);
 }
 
-inline GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
-    float3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
-    float2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
-               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+inline GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
+    float3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
+    float2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13)
+               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11);
     float3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
-                      gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
+                      gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0, 0.5).x);
     colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
     colour = mix(colour, gabor_impl_toned(strata.pale, tones),
-                 0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
+                 0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
     colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
-                 0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
-    float3 height = 0.02 * of.b.second - 0.012 * soft + 0.006 * of.d.first + 0.0015 * of.e.first + 0.003 * of.a.second;
-    float3 lost = 0.0004 * of.b.lost + 3.6e-5 * of.d.lost + 2.25e-6 * of.e.lost + 9.0e-6 * of.a.lost
-              + 0.000144 * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5, 0.22);
+                 0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
+    float3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
+                + 0.003 * of.pair_0.second;
+    float3 lost = 0.0004 * of.pair_1.lost + 3.6e-5 * of.pair_3.lost + 2.25e-6 * of.pair_4.lost + 9.0e-6 * of.pair_0.lost
+              + 0.000144 * gabor_impl_above_lost(of.pair_2.first, of.pair_2.removed, of.pair_2.lost, 0.5, 0.22);
     return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
                                0.0);
 }
 
 inline GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, float2(0.0), float2(0.0), period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
-        of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
-    of.b = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
-    of.c = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
-    of.d = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
-    of.e = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+        of.pair_0 = gabor_impl_plus_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
 
@@ -1379,19 +1395,19 @@ inline GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata
 
 #ifdef GABOR_FILTER_METAL
 inline GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel board = gabor_impl_board(pixel, wood, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 inline GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborFabric fabric, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
@@ -1399,65 +1415,65 @@ inline GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, fl
 
 inline GaborMaterial gabor_carbon_fibre_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel cloth = gabor_impl_twill(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 inline GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborLeather leather, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_skin(pixel, leather, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
-    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
-    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 inline GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborMarble marble, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
+    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
     for (int j = 4; j < 8; ++j) {
-        GaborLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
     }
     return material;
 }
 
 inline GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborSand sand, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel dune = gabor_impl_dune(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel dune = gabor_impl_dune(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
-    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
-    of.c = gabor_impl_filtered_waves(ripples);
+    GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 inline GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
-        GaborLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        GaborImplLayer layer = gabor_impl_metal_layer(i, pixel, metal, seed);
         gabor_impl_add_metal(of, i, layer, gabor_impl_filtered_spots(layer));
     }
     return gabor_impl_brushed_metal(metal, of);
 }
 
 inline GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborScratches scratches, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborMaterial sum = GaborMaterial{float3(1.0), 0.0, float2(0.0), 0.0, 0.0, float3(0.0)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1466,34 +1482,34 @@ inline GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy,
 }
 
 inline GaborMaterial gabor_zebra_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborZebra zebra, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel skin = gabor_impl_hide(pixel, seed);
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 2; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
-    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 inline GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBark bark, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel trunk = gabor_impl_trunk(pixel, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 6; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     for (int j = 6; j < 8; ++j) {
-        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.c = pair;
-        else of.d = pair;
+        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
+        if (j == 6) of.pair_2 = pair;
+        else of.pair_3 = pair;
     }
     return gabor_impl_bark(bark, of);
 }
 
 inline GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborStrata strata, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPixel rock = gabor_impl_rock(pixel, strata, seed);
-    GaborPairs of = gabor_impl_no_pairs();
+    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 8; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
@@ -1614,4 +1630,4 @@ inline GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint 
 }
 #endif
 
-#endif // GABOR_MATERIALS_METAL
+#endif

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d47f3b8a24ec1535.
+// naga 30.0.1 made it from GLSL with the digest 034a21d79487db42.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -190,8 +190,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
-// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 fn gabor_impl_times(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
@@ -221,16 +221,16 @@ fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f3
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
 // filter, and the period, 0 for none. Warps move it and bend the steps.
-struct GaborPixel {
-    p: vec2<f32>,
-    x: vec2<f32>,
-    y: vec2<f32>,
+struct GaborImplPixel {
+    position: vec2<f32>,
+    by_x: vec2<f32>,
+    by_y: vec2<f32>,
     dx: vec2<f32>,
     dy: vec2<f32>,
     period: vec2<f32>,
 }
 
-fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborPixel {
+fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborImplPixel {
     var p_12: vec2<f32>;
     var local_24: vec2<f32>;
     p_12 = p;
@@ -244,24 +244,24 @@ fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<
     let _e16 = local_24;
     p_12 = (_e5 - _e16);
     let _e18 = p_12;
-    return GaborPixel(_e18, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), dx, dy, period);
+    return GaborImplPixel(_e18, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), dx, dy, period);
 }
 
 // A position along the warped x or y axis, with derivatives.
-fn gabor_impl_along_x(at: GaborPixel) -> vec3<f32> {
-    return vec3<f32>(at.p.x, at.x.x, at.y.x);
+fn gabor_impl_along_x(at: GaborImplPixel) -> vec3<f32> {
+    return vec3<f32>(at.position.x, at.by_x.x, at.by_y.x);
 }
-fn gabor_impl_along_y(at: GaborPixel) -> vec3<f32> {
-    return vec3<f32>(at.p.y, at.x.y, at.y.y);
+fn gabor_impl_along_y(at: GaborImplPixel) -> vec3<f32> {
+    return vec3<f32>(at.position.y, at.by_x.y, at.by_y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-fn gabor_impl_place(at: GaborPixel, density: vec2<f32>) -> GaborPlace {
+fn gabor_impl_place(at: GaborImplPixel, density: vec2<f32>) -> GaborPlace {
     if (at.period.x > 0f) {
-        let _e10 = gabor_place_tiled((density * at.p), (density * at.period));
+        let _e10 = gabor_place_tiled((density * at.position), (density * at.period));
         return _e10;
     }
-    let _e13 = gabor_place_at((density * at.p));
+    let _e13 = gabor_place_at((density * at.position));
     return _e13;
 }
 
@@ -388,16 +388,16 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
-fn gabor_impl_radii(at: GaborPixel, density: vec2<f32>) -> vec4<f32> {
+fn gabor_impl_radii(at: GaborImplPixel, density: vec2<f32>) -> vec4<f32> {
     let _e3 = (density * at.dx);
     let _e5 = (density * at.dy);
     return vec4<f32>(_e3.x, _e3.y, _e5.x, _e5.y);
 }
 
-// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
-// slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel, and the
-// slopes of a filtered height leave out how the steps change.
-fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborPixel {
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
+// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// and the slopes of a filtered height leave out how the steps change.
+fn gabor_impl_warp(at: GaborImplPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborImplPixel {
     var amplitude_5: vec2<f32>;
     var steps: vec4<f32>;
     var size: f32;
@@ -441,14 +441,14 @@ fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, see
     let _e103 = bend;
     let _e106 = along_x_3;
     let _e110 = along_y_3;
-    return GaborPixel((at.p + (_e59 * vec2<f32>(_e60.quadrature, _e62.noise))), ((at.x + (at.x.x * _e70)) + (at.x.y * _e75)), ((at.y + (at.y.x * _e81)) + (at.y.y * _e86)), (at.dx + (_e90 * ((at.dx.x * _e93) + (at.dx.y * _e97)))), (at.dy + (_e103 * ((at.dy.x * _e106) + (at.dy.y * _e110)))), at.period);
+    return GaborImplPixel((at.position + (_e59 * vec2<f32>(_e60.quadrature, _e62.noise))), ((at.by_x + (at.by_x.x * _e70)) + (at.by_x.y * _e75)), ((at.by_y + (at.by_y.x * _e81)) + (at.by_y.y * _e86)), (at.dx + (_e90 * ((at.dx.x * _e93) + (at.dx.y * _e97)))), (at.dy + (_e103 * ((at.dy.x * _e106) + (at.dy.y * _e110)))), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-fn gabor_impl_turned(at: GaborPixel, angle: f32) -> GaborPixel {
+fn gabor_impl_turned(at: GaborImplPixel, angle: f32) -> GaborImplPixel {
     var turn_10: vec2<f32>;
     var x_15: vec2<f32>;
     var y_12: vec2<f32>;
@@ -554,12 +554,12 @@ fn gabor_impl_turned(at: GaborPixel, angle: f32) -> GaborPixel {
     let _e178 = x_15;
     let _e181 = y_12;
     let _e185 = period_8;
-    return GaborPixel(vec2<f32>(dot(_e150, at.p), dot(_e153, at.p)), vec2<f32>(dot(_e157, at.x), dot(_e160, at.x)), vec2<f32>(dot(_e164, at.y), dot(_e167, at.y)), vec2<f32>(dot(_e171, at.dx), dot(_e174, at.dx)), vec2<f32>(dot(_e178, at.dy), dot(_e181, at.dy)), _e185);
+    return GaborImplPixel(vec2<f32>(dot(_e150, at.position), dot(_e153, at.position)), vec2<f32>(dot(_e157, at.by_x), dot(_e160, at.by_x)), vec2<f32>(dot(_e164, at.by_y), dot(_e167, at.by_y)), vec2<f32>(dot(_e171, at.dx), dot(_e174, at.dx)), vec2<f32>(dot(_e178, at.dy), dot(_e181, at.dy)), _e185);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
 // multiple of `whole` repetitions.
-fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
+fn gabor_impl_repeated(pixel: GaborImplPixel, count: f32, whole: f32) -> vec2<f32> {
     if (pixel.period.x > 0f) {
         return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
     }
@@ -567,7 +567,7 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
 }
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
-fn gabor_impl_sine_kept(at: GaborPixel, count: f32) -> f32 {
+fn gabor_impl_sine_kept(at: GaborImplPixel, count: f32) -> f32 {
     return exp(-(min((((4.934802f * count) * count) * ((at.dx.x * at.dx.x) + (at.dy.x * at.dy.x))), 40f)));
 }
 
@@ -575,9 +575,9 @@ fn gabor_impl_sine_kept(at: GaborPixel, count: f32) -> f32 {
 
 // A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
 // `amplitude`, to pair `slot` of a material.
-struct GaborLayer {
+struct GaborImplLayer {
     slot: i32,
-    at: GaborPixel,
+    at: GaborImplPixel,
     density: vec2<f32>,
     wave: vec2<f32>,
     amplitude: f32,
@@ -585,29 +585,29 @@ struct GaborLayer {
 }
 
 // A layer of frequency 0.
-fn gabor_impl_spots_layer(slot: i32, at: GaborPixel, density: vec2<f32>, seed: u32, index: i32) -> GaborLayer {
+fn gabor_impl_spots_layer(slot: i32, at: GaborImplPixel, density: vec2<f32>, seed: u32, index: i32) -> GaborImplLayer {
     let _e8 = gabor_lobe_seed(seed, index);
-    return GaborLayer(slot, at, density, vec2(0f), 1f, _e8);
+    return GaborImplLayer(slot, at, density, vec2(0f), 1f, _e8);
 }
 
-fn gabor_impl_waves_layer(slot: i32, at: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborLayer {
+fn gabor_impl_waves_layer(slot: i32, at: GaborImplPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborImplLayer {
     let _e7 = gabor_wave_vector(frequency, orientation);
     let _e9 = gabor_lobe_seed(seed, index);
-    return GaborLayer(slot, at, density, _e7, 1f, _e9);
+    return GaborImplLayer(slot, at, density, _e7, 1f, _e9);
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-fn gabor_impl_octave(at: GaborPixel, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborLayer {
+fn gabor_impl_octave(at: GaborImplPixel, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborImplLayer {
     var power_5: f32;
     power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
     let _e27 = power_5;
     let _e30 = gabor_lobe_seed(seed, i);
-    return GaborLayer(0i, at, (density * exp2((1.0214797f * f32(i)))), vec2(0f), (pow(gain, f32(i)) * inverseSqrt(_e27)), _e30);
+    return GaborImplLayer(0i, at, (density * exp2((1.0214797f * f32(i)))), vec2(0f), (pow(gain, f32(i)) * inverseSqrt(_e27)), _e30);
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
 // share of their variance that a filter removed, and the covariance of their derivatives that it removed.
-struct GaborPair {
+struct GaborImplPair {
     first: vec3<f32>,
     second: vec3<f32>,
     removed: f32,
@@ -615,20 +615,20 @@ struct GaborPair {
 }
 
 // The pairs of a material.
-struct GaborPairs {
-    a: GaborPair,
-    b: GaborPair,
-    c: GaborPair,
-    d: GaborPair,
-    e: GaborPair,
+struct GaborImplPairs {
+    pair_0_: GaborImplPair,
+    pair_1_: GaborImplPair,
+    pair_2_: GaborImplPair,
+    pair_3_: GaborImplPair,
+    pair_4_: GaborImplPair,
 }
 
-fn gabor_impl_no_pair() -> GaborPair {
-    return GaborPair(vec3(0f), vec3(0f), 0f, vec3(0f));
+fn gabor_impl_no_pair() -> GaborImplPair {
+    return GaborImplPair(vec3(0f), vec3(0f), 0f, vec3(0f));
 }
 
-fn gabor_impl_no_pairs() -> GaborPairs {
-    var none_1: GaborPair;
+fn gabor_impl_no_pairs() -> GaborImplPairs {
+    var none_1: GaborImplPair;
     let _e0 = gabor_impl_no_pair();
     none_1 = _e0;
     let _e2 = none_1;
@@ -636,14 +636,14 @@ fn gabor_impl_no_pairs() -> GaborPairs {
     let _e4 = none_1;
     let _e5 = none_1;
     let _e6 = none_1;
-    return GaborPairs(_e2, _e3, _e4, _e5, _e6);
+    return GaborImplPairs(_e2, _e3, _e4, _e5, _e6);
 }
 
-fn gabor_impl_pair(layer: GaborLayer, field: GaborField, lost: vec3<f32>) -> GaborPair {
+fn gabor_impl_pair(layer: GaborImplLayer, field: GaborField, lost: vec3<f32>) -> GaborImplPair {
     var x_16: vec2<f32>;
     var y_13: vec2<f32>;
-    x_16 = (layer.density * layer.at.x);
-    y_13 = (layer.density * layer.at.y);
+    x_16 = (layer.density * layer.at.by_x);
+    y_13 = (layer.density * layer.at.by_y);
     let _e15 = x_16;
     let _e18 = y_13;
     let _e23 = x_16;
@@ -651,14 +651,14 @@ fn gabor_impl_pair(layer: GaborLayer, field: GaborField, lost: vec3<f32>) -> Gab
     let _e30 = x_16;
     let _e31 = y_13;
     let _e32 = gabor_impl_turned_square(lost, _e30, _e31);
-    return GaborPair(vec3<f32>(field.quadrature, dot(field.quadrature_gradient, _e15), dot(field.quadrature_gradient, _e18)), vec3<f32>(field.noise, dot(field.gradient, _e23), dot(field.gradient, _e26)), field.removed, _e32);
+    return GaborImplPair(vec3<f32>(field.quadrature, dot(field.quadrature_gradient, _e15), dot(field.quadrature_gradient, _e18)), vec3<f32>(field.noise, dot(field.gradient, _e23), dot(field.gradient, _e26)), field.removed, _e32);
 }
 
-fn gabor_impl_plus(sum: GaborPair, pair: GaborPair, amplitude: f32) -> GaborPair {
-    return GaborPair((sum.first + (amplitude * pair.first)), (sum.second + (amplitude * pair.second)), (sum.removed + ((amplitude * amplitude) * pair.removed)), (sum.lost + ((amplitude * amplitude) * pair.lost)));
+fn gabor_impl_plus(sum: GaborImplPair, pair: GaborImplPair, amplitude: f32) -> GaborImplPair {
+    return GaborImplPair((sum.first + (amplitude * pair.first)), (sum.second + (amplitude * pair.second)), (sum.removed + ((amplitude * amplitude) * pair.removed)), (sum.lost + ((amplitude * amplitude) * pair.lost)));
 }
 
-fn gabor_impl_spots_pair(layer: GaborLayer) -> GaborPair {
+fn gabor_impl_spots_pair(layer: GaborImplLayer) -> GaborImplPair {
     let _e3 = gabor_impl_place(layer.at, layer.density);
     let _e5 = gabor_impl_spots(_e3, layer.seed);
     let _e8 = gabor_impl_pair(layer, _e5, vec3(0f));
@@ -666,13 +666,13 @@ fn gabor_impl_spots_pair(layer: GaborLayer) -> GaborPair {
 }
 
 // A sum and an octave of it.
-fn gabor_impl_plus_octave(sum: GaborPair, layer: GaborLayer) -> GaborPair {
+fn gabor_impl_plus_octave(sum: GaborImplPair, layer: GaborImplLayer) -> GaborImplPair {
     let _e2 = gabor_impl_spots_pair(layer);
     let _e4 = gabor_impl_plus(sum, _e2, layer.amplitude);
     return _e4;
 }
 
-fn gabor_impl_waves_pair(layer: GaborLayer) -> GaborPair {
+fn gabor_impl_waves_pair(layer: GaborImplLayer) -> GaborImplPair {
     let _e3 = gabor_impl_place(layer.at, layer.density);
     let _e6 = gabor_field(_e3, layer.wave, layer.seed);
     let _e9 = gabor_impl_pair(layer, _e6, vec3(0f));
@@ -693,14 +693,14 @@ fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2<f32>) -
 }
 
 // The nodes of an axis with its words.
-struct GaborSpotsAxis {
+struct GaborImplSpotsAxis {
     word: vec3<u32>,
     first: vec4<f32>,
     middle: vec4<f32>,
     last: vec4<f32>,
 }
 
-fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborSpotsAxis {
+fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborImplSpotsAxis {
     var zero_3: f32;
     var offset_1: f32;
     var damped_1: f32;
@@ -747,11 +747,11 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     let _e111 = fade_5;
     let _e113 = change_1;
     let _e116 = gabor_impl_spots_node(_e106.z, _e108.z, _e110, vec2<f32>(_e111.y, _e113.y));
-    return GaborSpotsAxis(_e85, _e96, _e105, _e116);
+    return GaborImplSpotsAxis(_e85, _e96, _e105, _e116);
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
+fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborImplSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
     var a_10: vec2<f32>;
     var b_13: vec2<f32>;
     var c_7: vec2<f32>;
@@ -791,13 +791,13 @@ fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborSpotsLine {
+struct GaborImplSpotsLine {
     word: u32,
     window: vec3<f32>,
     fade: vec2<f32>,
 }
 
-fn gabor_impl_spots_line(b: GaborFilteredAxis, index: i32) -> GaborSpotsLine {
+fn gabor_impl_spots_line(b: GaborImplFilteredAxis, index: i32) -> GaborImplSpotsLine {
     var turn_11: vec2<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: f32;
@@ -817,18 +817,18 @@ fn gabor_impl_spots_line(b: GaborFilteredAxis, index: i32) -> GaborSpotsLine {
     let _e54 = imaginary_4;
     let _e55 = real_4;
     let _e58 = gabor_impl_fade(b, index);
-    return GaborSpotsLine(_e51, vec3<f32>(_e52.x, _e54, _e55.z), _e58);
+    return GaborImplSpotsLine(_e51, vec3<f32>(_e52.x, _e54, _e55.z), _e58);
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
 // derivative of its fade.
-struct GaborSpotsRow {
+struct GaborImplSpotsRow {
     real: vec3<f32>,
     imaginary: vec3<f32>,
     edge: vec2<f32>,
 }
 
-fn gabor_impl_add_spot(row: ptr<function, GaborSpotsRow>, x: GaborSpotsLine, row_word: u32) {
+fn gabor_impl_add_spot(row: ptr<function, GaborImplSpotsRow>, x: GaborImplSpotsLine, row_word: u32) {
     var a_11: vec2<f32>;
     let _e5 = gabor_impl_amplitude((x.word * row_word));
     a_11 = _e5;
@@ -850,13 +850,13 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var r_2: f32;
     var lambda_1: f32;
     var mixed_1: f32;
-    var across_1: GaborFilteredAxis;
-    var along_1: GaborFilteredAxis;
-    var x_0_: GaborSpotsLine;
-    var x_1_: GaborSpotsLine;
-    var x_2_: GaborSpotsLine;
-    var x_3_: GaborSpotsLine;
-    var x_4_: GaborSpotsLine;
+    var across_1: GaborImplFilteredAxis;
+    var along_1: GaborImplFilteredAxis;
+    var x_0_: GaborImplSpotsLine;
+    var x_1_: GaborImplSpotsLine;
+    var x_2_: GaborImplSpotsLine;
+    var x_3_: GaborImplSpotsLine;
+    var x_4_: GaborImplSpotsLine;
     var value_15: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
     var next_y_1: vec2<f32> = vec2(0f);
@@ -865,8 +865,8 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var local_32: i32;
     var rows_4: i32;
     var j_5: i32 = 0i;
-    var y_15: GaborSpotsLine;
-    var row_8: GaborSpotsRow;
+    var y_15: GaborImplSpotsLine;
+    var row_8: GaborImplSpotsRow;
     var w: vec3<f32>;
     var sum_18: vec2<f32>;
     var before_1: vec2<f32>;
@@ -929,7 +929,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
             let _e128 = j_5;
             let _e129 = gabor_impl_spots_line(_e127, _e128);
             y_15 = _e129;
-            row_8 = GaborSpotsRow(vec3(0f), vec3(0f), vec2(0f));
+            row_8 = GaborImplSpotsRow(vec3(0f), vec3(0f), vec2(0f));
             let _e140 = x_0_;
             let _e141 = y_15;
             gabor_impl_add_spot((&row_8), _e140, _e141.word);
@@ -1036,8 +1036,8 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
 }
 
 fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborField {
-    var x_20: GaborSpotsAxis;
-    var y_17: GaborSpotsAxis;
+    var x_20: GaborImplSpotsAxis;
+    var y_17: GaborImplSpotsAxis;
     var sum_19: vec4<f32> = vec4(0f);
     var along_y_5: vec2<f32> = vec2(0f);
     var local_34: f32;
@@ -1081,7 +1081,7 @@ fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborF
 // The same as gabor_field_filtered with the wave vector 0.
 fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborField {
     var stretch_7: vec2<f32>;
-    var footprint_4: GaborFootprint;
+    var footprint_4: GaborImplFootprint;
     var wide_1: f32;
     var kept_1: f32;
     var amplitude_7: f32;
@@ -1131,9 +1131,10 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
     return _e82;
 }
 
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
-// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
-fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField) -> GaborPair {
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
+// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
+// (1 + 2/3 pi^2 S)^-1 F.
+fn gabor_impl_filtered_pair(layer: GaborImplLayer, field: GaborField) -> GaborImplPair {
     var steps_1: vec4<f32>;
     var a_12: vec3<f32>;
     var inverse: vec3<f32>;
@@ -1168,7 +1169,7 @@ fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField) -> GaborPair {
     return _e70;
 }
 
-fn gabor_impl_filtered_waves(layer: GaborLayer) -> GaborPair {
+fn gabor_impl_filtered_waves(layer: GaborImplLayer) -> GaborImplPair {
     var place_17: GaborPlace;
     var steps_2: vec4<f32>;
     let _e3 = gabor_impl_place(layer.at, layer.density);
@@ -1183,7 +1184,7 @@ fn gabor_impl_filtered_waves(layer: GaborLayer) -> GaborPair {
     return _e17;
 }
 
-fn gabor_impl_filtered_spots(layer: GaborLayer) -> GaborPair {
+fn gabor_impl_filtered_spots(layer: GaborImplLayer) -> GaborImplPair {
     var place_18: GaborPlace;
     var steps_3: vec4<f32>;
     let _e3 = gabor_impl_place(layer.at, layer.density);
@@ -1198,42 +1199,42 @@ fn gabor_impl_filtered_spots(layer: GaborLayer) -> GaborPair {
     return _e16;
 }
 
-fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborPairs>, layer: GaborLayer) {
-    var pair_2: GaborPair;
+fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborImplPairs>, layer: GaborImplLayer) {
+    var pair_2: GaborImplPair;
     let _e2 = gabor_impl_filtered_spots(layer);
     pair_2 = _e2;
     if (layer.slot == 0i) {
         let _e8 = (*sum);
         let _e10 = pair_2;
-        let _e12 = gabor_impl_plus(_e8.a, _e10, layer.amplitude);
-        (*sum).a = _e12;
+        let _e12 = gabor_impl_plus(_e8.pair_0_, _e10, layer.amplitude);
+        (*sum).pair_0_ = _e12;
         return;
     } else {
         if (layer.slot == 1i) {
             let _e17 = (*sum);
             let _e19 = pair_2;
-            let _e21 = gabor_impl_plus(_e17.b, _e19, layer.amplitude);
-            (*sum).b = _e21;
+            let _e21 = gabor_impl_plus(_e17.pair_1_, _e19, layer.amplitude);
+            (*sum).pair_1_ = _e21;
             return;
         } else {
             if (layer.slot == 2i) {
                 let _e26 = (*sum);
                 let _e28 = pair_2;
-                let _e30 = gabor_impl_plus(_e26.c, _e28, layer.amplitude);
-                (*sum).c = _e30;
+                let _e30 = gabor_impl_plus(_e26.pair_2_, _e28, layer.amplitude);
+                (*sum).pair_2_ = _e30;
                 return;
             } else {
                 if (layer.slot == 3i) {
                     let _e35 = (*sum);
                     let _e37 = pair_2;
-                    let _e39 = gabor_impl_plus(_e35.d, _e37, layer.amplitude);
-                    (*sum).d = _e39;
+                    let _e39 = gabor_impl_plus(_e35.pair_3_, _e37, layer.amplitude);
+                    (*sum).pair_3_ = _e39;
                     return;
                 } else {
                     let _e41 = (*sum);
                     let _e43 = pair_2;
-                    let _e45 = gabor_impl_plus(_e41.e, _e43, layer.amplitude);
-                    (*sum).e = _e45;
+                    let _e45 = gabor_impl_plus(_e41.pair_4_, _e43, layer.amplitude);
+                    (*sum).pair_4_ = _e45;
                     return;
                 }
             }
@@ -1415,8 +1416,8 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     return min(_e66, vec3(1f));
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
-// gabor_impl_ends_at. `phase` is in turns.
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see gabor_impl_ends_at. `phase` is in turns.
 fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var ends_3: vec3<f32>;
     var turns_3: vec2<f32>;
@@ -1539,9 +1540,9 @@ fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, ro
 //
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
-fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborPixel {
+fn gabor_impl_board(pixel: GaborImplPixel, wood: GaborWood, seed: u32) -> GaborImplPixel {
     var bends: vec2<f32>;
-    var board: GaborPixel;
+    var board: GaborImplPixel;
     bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
     let _e12 = bends;
     let _e17 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e12.x, 0f), seed, 0i);
@@ -1553,7 +1554,7 @@ fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborPixel
 }
 
 // Pores, fibres and tone.
-fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborPixel, seed: u32) -> GaborLayer {
+fn gabor_impl_wood_layer(i: i32, pixel: GaborImplPixel, board: GaborImplPixel, seed: u32) -> GaborImplLayer {
     var local_36: vec2<f32>;
     if (i == 2i) {
         let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
@@ -1569,8 +1570,8 @@ fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborPixel, seed: u32
     return _e24;
 }
 
-fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u32) -> GaborMaterial {
-    var board_3: GaborPixel;
+fn gabor_impl_wood(board: GaborImplPixel, wood: GaborWood, of_: GaborImplPairs, seed: u32) -> GaborMaterial {
+    var board_3: GaborImplPixel;
     var rings: f32;
     var years: vec3<f32>;
     var kept_2: f32;
@@ -1604,7 +1605,7 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     let _e34 = kept_2;
     let _e38 = gabor_impl_rise(_e33, vec3<f32>(_e34, 0f, 0f));
     ring = _e38;
-    let _e47 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
+    let _e47 = gabor_impl_above(of_.pair_0_.second, of_.pair_0_.removed, 1.1f, 0.25f);
     pores = (wood.pores * _e47);
     let _e55 = ring;
     within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e55));
@@ -1618,8 +1619,8 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     let _e73 = ring;
     let _e77 = pores;
     late = (_e73.x * (1f - (0.25f * _e77.x)));
-    let _e89 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.11f);
-    let _e96 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.13f);
+    let _e89 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.11f);
+    let _e96 = gabor_impl_tone(of_.pair_2_.second.x, of_.pair_2_.removed, 0.13f);
     tones = (_e89 + _e96);
     let _e99 = early;
     let _e101 = tones;
@@ -1631,7 +1632,7 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     colour_2 = (((_e99 * _e102) + (_e104 * _e107)) + ((0.45f * _e111.x) * wood.late));
     let _e119 = ring;
     let _e122 = deep;
-    height_1 = (((0.0006f * _e119) - (0.0024f * _e122)) + (0.0002f * of_.b.second));
+    height_1 = (((0.0006f * _e119) - (0.0024f * _e122)) + (0.0002f * of_.pair_1_.second));
     let _e136 = within_1;
     let _e138 = within_1;
     let _e143 = kept_2;
@@ -1643,8 +1644,8 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     let _e158 = years;
     let _e160 = gabor_impl_square(_e158.yz);
     let _e167 = depth;
-    let _e176 = gabor_impl_above_lost(of_.a.second, of_.a.removed, of_.a.lost, 1.1f, 0.25f);
-    lost_4 = ((((0.00000036f * _e156) * _e160) + (0.00000004f * of_.b.lost)) + (_e167 * _e176));
+    let _e176 = gabor_impl_above_lost(of_.pair_0_.second, of_.pair_0_.removed, of_.pair_0_.lost, 1.1f, 0.25f);
+    lost_4 = ((((0.00000036f * _e156) * _e160) + (0.00000004f * of_.pair_1_.lost)) + (_e167 * _e176));
     let _e180 = colour_2;
     let _e181 = height_1;
     let _e182 = lost_4;
@@ -1654,9 +1655,9 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
 }
 
 fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_3: GaborPixel;
-    var board_4: GaborPixel;
-    var of_1: GaborPairs;
+    var pixel_3: GaborImplPixel;
+    var board_4: GaborImplPixel;
+    var of_1: GaborImplPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_3 = _e8;
     let _e10 = pixel_3;
@@ -1668,17 +1669,17 @@ fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) ->
     let _e18 = board_4;
     let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
     let _e20 = gabor_impl_spots_pair(_e19);
-    of_1.a = _e20;
+    of_1.pair_0_ = _e20;
     let _e23 = pixel_3;
     let _e24 = board_4;
     let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
     let _e26 = gabor_impl_spots_pair(_e25);
-    of_1.b = _e26;
+    of_1.pair_1_ = _e26;
     let _e29 = pixel_3;
     let _e30 = board_4;
     let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
     let _e32 = gabor_impl_spots_pair(_e31);
-    of_1.c = _e32;
+    of_1.pair_2_ = _e32;
     let _e33 = board_4;
     let _e34 = of_1;
     let _e35 = gabor_impl_wood(_e33, wood, _e34, seed);
@@ -1723,8 +1724,8 @@ fn gabor_impl_sample(i: i32, count: i32) -> vec2<f32> {
     return _e32;
 }
 
-// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the slopes'
-// squares, and becomes their covariance, which fades to `square`.
+// The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
+// slopes' squares, and becomes their covariance, which fades to `square`.
 fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3<f32>>, count: i32, kept: f32, mean: f32, square: vec3<f32>) {
     var local_39: vec3<f32>;
     let _e8 = (*height);
@@ -1744,13 +1745,13 @@ fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborPixel {
+fn gabor_impl_cloth(pixel: GaborImplPixel, fabric: GaborFabric, seed: u32) -> GaborImplPixel {
     let _e10 = gabor_impl_warp(pixel, vec2(0.7f), vec2((0.02f * fabric.unevenness)), seed, 0i);
     return _e10;
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-fn gabor_impl_fabric_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) -> GaborLayer {
+fn gabor_impl_fabric_layer(i: i32, cloth: GaborImplPixel, count: vec2<f32>, seed: u32) -> GaborImplLayer {
     var local_40: vec2<f32>;
     var local_41: vec2<f32>;
     var local_42: vec2<f32>;
@@ -1780,7 +1781,7 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u3
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
-fn gabor_impl_threads(pixel: GaborPixel, fabric: GaborFabric) -> vec2<f32> {
+fn gabor_impl_threads(pixel: GaborImplPixel, fabric: GaborFabric) -> vec2<f32> {
     var local_43: f32;
     var local_44: f32;
     if (fabric.weave < 0.5f) {
@@ -1829,8 +1830,8 @@ fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
     return _e44;
 }
 
-// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1,
-// and is level towards a thread that it crosses on the same side.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
+// -1, and is level towards a thread that it crosses on the same side.
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32, level: bool) -> vec3<f32> {
     var square_4: f32;
     var side_2: f32;
@@ -1874,7 +1875,7 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2<f32>, fabric: GaborFabric, of_: GaborImplPairs) -> GaborMaterial {
     var uneven: f32;
     var unit_5: f32;
     var at_x: vec3<f32>;
@@ -1935,17 +1936,17 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     kept_4 = (1f - smoothstep(0.3f, 0.7f, _e31));
     let _e35 = at_x;
     let _e37 = uneven;
-    at_x = (_e35 + ((0.13f * _e37) * of_.a.first));
+    at_x = (_e35 + ((0.13f * _e37) * of_.pair_0_.first));
     let _e43 = at_y;
     let _e45 = uneven;
-    at_y = (_e43 + ((0.13f * _e45) * of_.b.first));
+    at_y = (_e43 + ((0.13f * _e45) * of_.pair_1_.first));
     let _e57 = uneven;
-    let _e59 = gabor_impl_tone(of_.a.first.x, of_.a.removed, (0.09f * _e57));
-    let _e66 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.12f);
+    let _e59 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, (0.09f * _e57));
+    let _e66 = gabor_impl_tone(of_.pair_2_.second.x, of_.pair_2_.removed, 0.12f);
     warp_tones = (_e59 + _e66);
     let _e75 = uneven;
-    let _e77 = gabor_impl_tone(of_.b.first.x, of_.b.removed, (0.09f * _e75));
-    let _e84 = gabor_impl_tone(of_.d.second.x, of_.d.removed, 0.12f);
+    let _e77 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, (0.09f * _e75));
+    let _e84 = gabor_impl_tone(of_.pair_3_.second.x, of_.pair_3_.removed, 0.12f);
     weft_tones = (_e77 + _e84);
     let _e88 = warp_tones;
     let _e89 = gabor_impl_toned(fabric.warp, _e88);
@@ -2020,14 +2021,14 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
             let _e226 = y_19;
             let _e227 = over;
             let _e228 = level_y;
-            let _e229 = gabor_impl_thread(_e214, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e220) * of_.a.second)), _e226, _e227, _e228);
+            let _e229 = gabor_impl_thread(_e214, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e220) * of_.pair_0_.second)), _e226, _e227, _e228);
             along_y_6 = _e229;
             let _e231 = y_19;
             let _e237 = uneven;
             let _e243 = x_27;
             let _e244 = over;
             let _e246 = level_x;
-            let _e247 = gabor_impl_thread(_e231, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e237) * of_.b.second)), _e243, -(_e244), _e246);
+            let _e247 = gabor_impl_thread(_e231, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e237) * of_.pair_1_.second)), _e243, -(_e244), _e246);
             along_x_4 = _e247;
             let _e249 = along_y_6;
             let _e251 = along_x_4;
@@ -2061,9 +2062,9 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
             let _e289 = top;
             let _e292 = first_3;
             if _e292 {
-                local_54 = of_.c.second;
+                local_54 = of_.pair_2_.second;
             } else {
-                local_54 = of_.d.second;
+                local_54 = of_.pair_3_.second;
             }
             let _e298 = local_54;
             top = ((0.3f * _e289) + (0.035f * _e298));
@@ -2109,7 +2110,7 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     let _e376 = unit_5;
     let _e377 = unit_5;
     let _e379 = lost_6;
-    lost_6 = ((_e376 * _e377) * (_e379 + (0.0006125f * (of_.c.lost + of_.d.lost))));
+    lost_6 = ((_e376 * _e377) * (_e379 + (0.0006125f * (of_.pair_2_.lost + of_.pair_3_.lost))));
     if (fabric.cords > 0f) {
         {
             let _e394 = gabor_impl_repeated(cloth, fabric.cords, 1f);
@@ -2172,10 +2173,10 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_6: GaborPixel;
-    var cloth_2: GaborPixel;
+    var pixel_6: GaborImplPixel;
+    var cloth_2: GaborImplPixel;
     var count_7: vec2<f32>;
-    var of_3: GaborPairs;
+    var of_3: GaborImplPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_6 = _e8;
     let _e10 = pixel_6;
@@ -2190,22 +2191,22 @@ fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u
     let _e21 = count_7;
     let _e22 = gabor_impl_fabric_layer(0i, _e20, _e21, seed);
     let _e23 = gabor_impl_spots_pair(_e22);
-    of_3.a = _e23;
+    of_3.pair_0_ = _e23;
     let _e26 = cloth_2;
     let _e27 = count_7;
     let _e28 = gabor_impl_fabric_layer(1i, _e26, _e27, seed);
     let _e29 = gabor_impl_spots_pair(_e28);
-    of_3.b = _e29;
+    of_3.pair_1_ = _e29;
     let _e32 = cloth_2;
     let _e33 = count_7;
     let _e34 = gabor_impl_fabric_layer(2i, _e32, _e33, seed);
     let _e35 = gabor_impl_spots_pair(_e34);
-    of_3.c = _e35;
+    of_3.pair_2_ = _e35;
     let _e38 = cloth_2;
     let _e39 = count_7;
     let _e40 = gabor_impl_fabric_layer(3i, _e38, _e39, seed);
     let _e41 = gabor_impl_spots_pair(_e40);
-    of_3.d = _e41;
+    of_3.pair_3_ = _e41;
     let _e42 = cloth_2;
     let _e43 = count_7;
     let _e44 = of_3;
@@ -2213,13 +2214,13 @@ fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u
     return _e45;
 }
 
-fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborPixel {
+fn gabor_impl_twill(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
     let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), seed, 0i);
     return _e7;
 }
 
 // The fibres of tows along y and x.
-fn gabor_impl_tow_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) -> GaborLayer {
+fn gabor_impl_tow_layer(i: i32, cloth: GaborImplPixel, count: vec2<f32>, seed: u32) -> GaborImplLayer {
     var local_55: vec2<f32>;
     if (i == 0i) {
         local_55 = vec2<f32>(20f, 0.6f);
@@ -2232,7 +2233,7 @@ fn gabor_impl_tow_layer(i: i32, cloth: GaborPixel, count: vec2<f32>, seed: u32) 
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborImplPairs) -> GaborMaterial {
     var at_x_1: vec3<f32>;
     var at_y_1: vec3<f32>;
     var dx_10: vec2<f32>;
@@ -2278,10 +2279,10 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
     let _e25 = spread_3;
     kept_5 = (1f - smoothstep(0.5f, 1f, _e25));
     unit_6 = (fibres.relief / fibres.tows);
-    let _e40 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.contrast);
+    let _e40 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, fibres.contrast);
     let _e41 = gabor_impl_toned(fibres.colour, _e40);
     warp_1 = _e41;
-    let _e50 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.contrast);
+    let _e50 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, fibres.contrast);
     let _e51 = gabor_impl_toned(fibres.colour, _e50);
     weft_1 = _e51;
     let _e62 = spread_3;
@@ -2390,9 +2391,9 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
             let _e252 = bulge;
             let _e255 = first_4;
             if _e255 {
-                local_60 = of_.a.first;
+                local_60 = of_.pair_0_.first;
             } else {
-                local_60 = of_.b.first;
+                local_60 = of_.pair_1_.first;
             }
             let _e261 = local_60;
             bulge = ((0.16f * _e252) + (0.006f * _e261));
@@ -2422,7 +2423,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
     let _e301 = unit_6;
     let _e302 = unit_6;
     let _e304 = lost_7;
-    lost_7 = ((_e301 * _e302) * (_e304 + (0.000018f * (of_.a.lost + of_.b.lost))));
+    lost_7 = ((_e301 * _e302) * (_e304 + (0.000018f * (of_.pair_0_.lost + of_.pair_1_.lost))));
     let _e314 = colour_4;
     let _e315 = unit_6;
     let _e316 = height_4;
@@ -2432,10 +2433,10 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_8: GaborPixel;
-    var cloth_5: GaborPixel;
+    var pixel_8: GaborImplPixel;
+    var cloth_5: GaborImplPixel;
     var count_10: vec2<f32>;
-    var of_5: GaborPairs;
+    var of_5: GaborImplPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_8 = _e8;
     let _e10 = pixel_8;
@@ -2450,12 +2451,12 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
     let _e23 = count_10;
     let _e24 = gabor_impl_tow_layer(0i, _e22, _e23, seed);
     let _e25 = gabor_impl_spots_pair(_e24);
-    of_5.a = _e25;
+    of_5.pair_0_ = _e25;
     let _e28 = cloth_5;
     let _e29 = count_10;
     let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
-    of_5.b = _e31;
+    of_5.pair_1_ = _e31;
     let _e32 = cloth_5;
     let _e33 = count_10;
     let _e34 = of_5;
@@ -2465,11 +2466,12 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
 
-fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborPixel {
+fn gabor_impl_skin(pixel: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplPixel {
     var bends_1: vec2<f32>;
-    var skin: GaborPixel;
+    var skin: GaborImplPixel;
     bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
     let _e11 = bends_1;
     let _e15 = gabor_impl_warp(pixel, vec2(0.9f), vec2(_e11.x), seed, 0i);
@@ -2481,7 +2483,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
-fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, seed: u32) -> GaborLayer {
+fn gabor_impl_leather_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplLayer {
     var local_61: f32;
     if (i < 3i) {
         let _e12 = gabor_lobe_seed(seed, 4i);
@@ -2503,7 +2505,7 @@ fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, leather
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
-fn gabor_impl_moved_waves(waves: GaborPair, at: GaborPixel, wave: vec2<f32>, offset: vec2<f32>, turns: f32) -> GaborPair {
+fn gabor_impl_moved_waves(waves: GaborImplPair, at: GaborImplPixel, wave: vec2<f32>, offset: vec2<f32>, turns: f32) -> GaborImplPair {
     var turn_15: vec2<f32>;
     var phase_9: vec3<f32>;
     var a_13: vec3<f32>;
@@ -2512,7 +2514,7 @@ fn gabor_impl_moved_waves(waves: GaborPair, at: GaborPixel, wave: vec2<f32>, off
     var second_4: vec3<f32>;
     let _e5 = gabor_impl_wave(turns);
     turn_15 = _e5;
-    phase_9 = (6.2831855f * vec3<f32>(0f, dot(wave, at.x), dot(wave, at.y)));
+    phase_9 = (6.2831855f * vec3<f32>(0f, dot(wave, at.by_x), dot(wave, at.by_y)));
     let _e19 = phase_9;
     a_13 = (waves.first + (waves.second.x * _e19));
     let _e26 = phase_9;
@@ -2539,11 +2541,11 @@ fn gabor_impl_moved_waves(waves: GaborPair, at: GaborPixel, wave: vec2<f32>, off
     let _e70 = second_4;
     let _e71 = first_5;
     let _e73 = phase_9;
-    return GaborPair((_e64 - (_e65.x * _e67)), (_e70 + (_e71.x * _e73)), 0f, vec3(0f));
+    return GaborImplPair((_e64 - (_e65.x * _e67)), (_e70 + (_e71.x * _e73)), 0f, vec3(0f));
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
-fn gabor_impl_crest(waves: GaborPair, cosine: ptr<function, vec3<f32>>, sine: ptr<function, vec3<f32>>) {
+fn gabor_impl_crest(waves: GaborImplPair, cosine: ptr<function, vec3<f32>>, sine: ptr<function, vec3<f32>>) {
     var power_6: f32;
     var change_4: vec2<f32>;
     var unit_7: vec3<f32>;
@@ -2564,7 +2566,7 @@ fn gabor_impl_crest(waves: GaborPair, cosine: ptr<function, vec3<f32>>, sine: pt
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, of_: GaborImplPairs) -> GaborMaterial {
     var wave_a: vec2<f32>;
     var wave_b: vec2<f32>;
     var dx_11: vec2<f32>;
@@ -2638,12 +2640,12 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
             let _e100 = wave_a;
             let _e101 = further;
             let _e102 = offset_5;
-            let _e104 = gabor_impl_moved_waves(of_.c, skin, _e100, _e101, _e102.x);
+            let _e104 = gabor_impl_moved_waves(of_.pair_2_, skin, _e100, _e101, _e102.x);
             gabor_impl_crest(_e104, (&a_14), (&sine_a));
             let _e110 = wave_b;
             let _e111 = further;
             let _e112 = offset_5;
-            let _e114 = gabor_impl_moved_waves(of_.d, skin, _e110, _e111, _e112.y);
+            let _e114 = gabor_impl_moved_waves(of_.pair_3_, skin, _e110, _e111, _e112.y);
             gabor_impl_crest(_e114, (&b_16), (&sine_b));
             let _e119 = a_14;
             let _e120 = b_16;
@@ -2655,7 +2657,7 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
             let _e128 = gabor_impl_times(_e126, _e127);
             cells = (((_e119 + _e120) + _e124) - _e128);
             let _e131 = cells;
-            grained = (_e131 + (0.1f * of_.a.second));
+            grained = (_e131 + (0.1f * of_.pair_0_.second));
             let _e142 = grained;
             let _e147 = gabor_impl_step(-1.45f, -0.55f, vec3<f32>(_e142.x, 1f, 0f));
             pebble = _e147.xy;
@@ -2668,7 +2670,7 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
             let _e161 = (_e157.y * _e159.yz);
             let _e170 = cells;
             let _e171 = gabor_impl_step(-1f, 3f, _e170);
-            relief = (((0.016f * vec3<f32>(_e155.x, _e161.x, _e161.y)) + (0.013f * _e171)) + (0.0008f * of_.a.second));
+            relief = (((0.016f * vec3<f32>(_e155.x, _e161.x, _e161.y)) + (0.013f * _e171)) + (0.0008f * of_.pair_0_.second));
             let _e181 = pebble;
             grain = ((0.0016f * _e181.y) + 0.0008f);
             let _e187 = grains;
@@ -2697,8 +2699,8 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     let _e220 = samples_2;
     let _e223 = kept_6;
     share = mix(0.806f, (_e219 / f32(_e220)), _e223);
-    let _e231 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
-    let _e238 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    let _e231 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.14f);
+    let _e238 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, 0.08f);
     tones_1 = (_e231 + _e238);
     let _e242 = tones_1;
     let _e243 = gabor_impl_toned(leather.crease, _e242);
@@ -2710,7 +2712,7 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     let _e256 = grains;
     let _e257 = samples_2;
     let _e260 = kept_6;
-    lost_8 = ((leather.relief * leather.relief) * (_e254 + (mix(0.00000064f, (_e256 / f32(_e257)), _e260) * of_.a.lost)));
+    lost_8 = ((leather.relief * leather.relief) * (_e254 + (mix(0.00000064f, (_e256 / f32(_e257)), _e260) * of_.pair_0_.lost)));
     let _e267 = colour_5;
     let _e269 = height_5;
     let _e271 = lost_8;
@@ -2720,9 +2722,9 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_12: GaborPixel;
-    var skin_3: GaborPixel;
-    var of_7: GaborPairs;
+    var pixel_12: GaborImplPixel;
+    var skin_3: GaborImplPixel;
+    var of_7: GaborImplPairs;
     var i_18: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_12 = _e8;
@@ -2741,8 +2743,8 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
         let _e28 = pixel_12;
         let _e29 = skin_3;
         let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
-        of_7.a = _e31;
+        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
+        of_7.pair_0_ = _e31;
         continuing {
             let _e21 = i_18;
             i_18 = (_e21 + 1i);
@@ -2752,17 +2754,17 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
     let _e35 = skin_3;
     let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_7.b = _e37;
+    of_7.pair_1_ = _e37;
     let _e40 = pixel_12;
     let _e41 = skin_3;
     let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
-    of_7.c = _e43;
+    of_7.pair_2_ = _e43;
     let _e46 = pixel_12;
     let _e47 = skin_3;
     let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
-    of_7.d = _e49;
+    of_7.pair_3_ = _e49;
     let _e50 = pixel_12;
     let _e51 = skin_3;
     let _e52 = of_7;
@@ -2772,9 +2774,9 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborPixel {
+fn gabor_impl_stone(pixel: GaborImplPixel, marble: GaborMarble, seed: u32) -> GaborImplPixel {
     var bends_2: vec4<f32>;
-    var stone: GaborPixel;
+    var stone: GaborImplPixel;
     bends_2 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
     let _e13 = bends_2;
     let _e17 = gabor_impl_warp(pixel, vec2(1.1f), vec2(_e13.x), seed, 0i);
@@ -2794,7 +2796,7 @@ fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborP
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
-fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborPixel, seed: u32) -> GaborLayer {
+fn gabor_impl_marble_layer(i: i32, pixel: GaborImplPixel, stone: GaborImplPixel, seed: u32) -> GaborImplLayer {
     var local_62: vec3<f32>;
     var local_63: vec3<f32>;
     var local_64: vec3<f32>;
@@ -2848,7 +2850,7 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborPixel, seed: u
     return _e68;
 }
 
-fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) -> GaborMaterial {
+fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborImplPair) -> GaborMaterial {
     var clouds: f32;
     var colour_6: vec3<f32>;
     let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
@@ -2864,7 +2866,7 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
+fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
     var local_67: f32;
     var local_68: vec2<f32>;
     var local_69: vec2<f32>;
@@ -2978,14 +2980,14 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
 }
 
 fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_15: GaborPixel;
-    var stone_3: GaborPixel;
-    var cloud_1: GaborPair;
+    var pixel_15: GaborImplPixel;
+    var stone_3: GaborImplPixel;
+    var cloud_1: GaborImplPair;
     var i_21: i32 = 0i;
-    var crystal_1: GaborPair;
+    var crystal_1: GaborImplPair;
     var material: GaborMaterial;
     var j_6: i32 = 4i;
-    var layer_8: GaborLayer;
+    var layer_8: GaborImplLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_15 = _e8;
     let _e10 = pixel_15;
@@ -3046,8 +3048,8 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborPixel {
-    var dune: GaborPixel;
+fn gabor_impl_dune(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
+    var dune: GaborImplPixel;
     let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), seed, 0i);
     dune = _e7;
     let _e9 = dune;
@@ -3056,7 +3058,7 @@ fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborPixel {
 }
 
 // Three octaves of large shapes, grains, and ripples.
-fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborPixel, sand: GaborSand, seed: u32) -> GaborLayer {
+fn gabor_impl_sand_layer(i: i32, pixel: GaborImplPixel, dune: GaborImplPixel, sand: GaborSand, seed: u32) -> GaborImplLayer {
     if (i < 3i) {
         let _e12 = gabor_lobe_seed(seed, 4i);
         let _e13 = gabor_impl_octave(pixel, vec2(0.6f), i, 3i, 0.5f, _e12);
@@ -3070,7 +3072,7 @@ fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborPixel, sand: Gabo
     return _e37;
 }
 
-fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs) -> GaborMaterial {
     var z_1: vec2<f32>;
     var power_7: f32;
     var whole_3: f32;
@@ -3088,24 +3090,24 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     var bent: vec3<f32>;
     var square_6: vec3<f32>;
     var lost_9: vec3<f32>;
-    z_1 = vec2<f32>(of_.c.first.x, of_.c.second.x);
+    z_1 = vec2<f32>(of_.pair_2_.first.x, of_.pair_2_.second.x);
     let _e11 = z_1;
     let _e12 = z_1;
     power_7 = max(dot(_e11, _e12), 0.000001f);
     let _e17 = power_7;
-    whole_3 = (_e17 + (2.5f * of_.c.removed));
+    whole_3 = (_e17 + (2.5f * of_.pair_2_.removed));
     let _e25 = power_7;
     let _e26 = whole_3;
     span_3 = (0.9f * sqrt((_e25 / _e26)));
     let _e31 = z_1;
     let _e37 = z_1;
-    change_5 = ((_e31.x * of_.c.first.yz) + (_e37.y * of_.c.second.yz));
+    change_5 = ((_e31.x * of_.pair_2_.first.yz) + (_e37.y * of_.pair_2_.second.yz));
     let _e45 = z_1;
     let _e46 = gabor_phasor(_e45);
     let _e49 = power_7;
     let _e51 = z_1;
     let _e57 = z_1;
-    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.c.second.yz) - (_e57.y * of_.c.first.yz)));
+    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.pair_2_.second.yz) - (_e57.y * of_.pair_2_.first.yz)));
     phase_10 = vec3<f32>(_e46.x, _e64.x, _e64.y);
     let _e69 = phase_10;
     let _e70 = span_3;
@@ -3115,8 +3117,8 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
     let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
     ripple = _e85;
-    let _e93 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
-    let _e100 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
+    let _e93 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, sand.grain);
+    let _e100 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, 0.06f);
     tones_2 = (_e93 + _e100);
     let _e104 = tones_2;
     let _e105 = gabor_impl_toned(sand.trough, _e104);
@@ -3124,9 +3126,9 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e108 = gabor_impl_toned(sand.crest, _e107);
     let _e109 = ripple;
     colour_7 = mix(_e105, _e108, vec3(_e109.x));
-    let _e120 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
+    let _e120 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, 1.9f, 0.15f);
     dark = _e120.x;
-    let _e130 = gabor_impl_above(-(of_.b.second), of_.b.removed, 1.9f, 0.15f);
+    let _e130 = gabor_impl_above(-(of_.pair_1_.second), of_.pair_1_.removed, 1.9f, 0.15f);
     bright = _e130.x;
     let _e133 = colour_7;
     let _e140 = dark;
@@ -3134,21 +3136,21 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e144 = colour_7;
     let _e154 = bright;
     colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
-    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
+    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.pair_0_.first));
     let _e170 = ripple;
     let _e171 = tall;
     let _e172 = gabor_impl_times(_e170, _e171);
-    height_6 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
+    height_6 = ((_e172 + (0.03f * of_.pair_0_.first)) + ((0.00875f * sand.grain) * of_.pair_1_.first));
     wave_19 = (ripples.density * ripples.wave);
     let _e190 = wave_19;
     let _e194 = wave_19;
-    wave_19 = vec2<f32>(dot(_e190, ripples.at.x), dot(_e194, ripples.at.y));
+    wave_19 = vec2<f32>(dot(_e190, ripples.at.by_x), dot(_e194, ripples.at.by_y));
     let _e203 = ((0.4f * ripples.density) * ripples.density);
     bent = vec3<f32>(_e203.x, _e203.y, 0f);
     let _e209 = wave_19;
     let _e210 = gabor_impl_square(_e209);
     let _e211 = bent;
-    let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
+    let _e216 = gabor_impl_turned_square(_e211, ripples.at.by_x, ripples.at.by_y);
     square_6 = (_e210 + _e216);
     let _e219 = tall;
     let _e221 = tall;
@@ -3156,7 +3158,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
     let _e230 = square_6;
-    lost_9 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
+    lost_9 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.pair_0_.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.pair_1_.lost));
     let _e247 = colour_7;
     let _e248 = height_6;
     let _e249 = lost_9;
@@ -3165,10 +3167,10 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_18: GaborPixel;
-    var dune_2: GaborPixel;
-    var ripples_1: GaborLayer;
-    var of_9: GaborPairs;
+    var pixel_18: GaborImplPixel;
+    var dune_2: GaborImplPixel;
+    var ripples_1: GaborImplLayer;
+    var of_9: GaborImplPairs;
     var i_23: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_18 = _e8;
@@ -3191,8 +3193,8 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
         let _e33 = pixel_18;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
-        let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
-        of_9.a = _e36;
+        let _e36 = gabor_impl_plus_octave(_e30.pair_0_, _e35);
+        of_9.pair_0_ = _e36;
         continuing {
             let _e26 = i_23;
             i_23 = (_e26 + 1i);
@@ -3202,10 +3204,10 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     let _e40 = dune_2;
     let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
     let _e42 = gabor_impl_spots_pair(_e41);
-    of_9.b = _e42;
+    of_9.pair_1_ = _e42;
     let _e44 = ripples_1;
     let _e45 = gabor_impl_waves_pair(_e44);
-    of_9.c = _e45;
+    of_9.pair_2_ = _e45;
     let _e46 = ripples_1;
     let _e47 = of_9;
     let _e48 = gabor_impl_sand(sand, _e46, _e47);
@@ -3215,7 +3217,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 // Five sizes of streaks, and six octaves of patina.
-fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
+fn gabor_impl_metal_layer(i: i32, pixel: GaborImplPixel, metal: GaborBrushedMetal, seed: u32) -> GaborImplLayer {
     var density_7: vec2<f32>;
     if (i >= 5i) {
         let _e13 = gabor_lobe_seed(seed, 5i);
@@ -3241,43 +3243,43 @@ fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
-fn gabor_impl_add_metal(of_: ptr<function, GaborPairs>, i: i32, layer: GaborLayer, pair: GaborPair) {
+fn gabor_impl_add_metal(of_: ptr<function, GaborImplPairs>, i: i32, layer: GaborImplLayer, pair: GaborImplPair) {
     var size_2: f32;
     if (i >= 5i) {
         {
             let _e7 = (*of_);
-            let _e10 = gabor_impl_plus(_e7.b, pair, layer.amplitude);
-            (*of_).b = _e10;
+            let _e10 = gabor_impl_plus(_e7.pair_1_, pair, layer.amplitude);
+            (*of_).pair_1_ = _e10;
             return;
         }
     }
     size_2 = exp2(-(f32(i)));
     let _e17 = (*of_);
     let _e20 = size_2;
-    (*of_).a.first = (_e17.a.first + (_e20 * pair.first));
+    (*of_).pair_0_.first = (_e17.pair_0_.first + (_e20 * pair.first));
     let _e26 = (*of_);
-    (*of_).a.second = (_e26.a.second + (0.4472136f * pair.second));
+    (*of_).pair_0_.second = (_e26.pair_0_.second + (0.4472136f * pair.second));
     let _e35 = (*of_);
-    (*of_).a.removed = (_e35.a.removed + (0.2f * pair.removed));
+    (*of_).pair_0_.removed = (_e35.pair_0_.removed + (0.2f * pair.removed));
     let _e44 = (*of_);
     let _e47 = size_2;
     let _e48 = size_2;
-    (*of_).a.lost = (_e44.a.lost + ((_e47 * _e48) * pair.lost));
+    (*of_).pair_0_.lost = (_e44.pair_0_.lost + ((_e47 * _e48) * pair.lost));
     return;
 }
 
-fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborImplPairs) -> GaborMaterial {
     var colour_8: vec3<f32>;
     var height_7: vec3<f32>;
     var lost_10: vec3<f32>;
     var threshold_2: f32;
     var cover: vec3<f32>;
     var patina: vec3<f32>;
-    let _e9 = gabor_impl_tone(of_.a.second.x, of_.a.removed, metal.contrast);
+    let _e9 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, metal.contrast);
     let _e10 = gabor_impl_toned(metal.colour, _e9);
     colour_8 = _e10;
-    height_7 = (metal.relief * of_.a.first);
-    lost_10 = ((metal.relief * metal.relief) * of_.a.lost);
+    height_7 = (metal.relief * of_.pair_0_.first);
+    lost_10 = ((metal.relief * metal.relief) * of_.pair_0_.lost);
     if (metal.weathering <= 0f) {
         let _e27 = colour_8;
         let _e28 = height_7;
@@ -3287,18 +3289,18 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborM
     }
     threshold_2 = (2.4f - (3.8f * metal.weathering));
     let _e43 = threshold_2;
-    let _e45 = gabor_impl_above(of_.b.second, of_.b.removed, _e43, 0.3f);
+    let _e45 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, _e43, 0.3f);
     cover = _e45;
-    let _e54 = gabor_impl_tone(of_.b.first.x, of_.b.removed, 0.3f);
+    let _e54 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, 0.3f);
     let _e55 = gabor_impl_toned(metal.patina, _e54);
     patina = _e55;
     let _e57 = height_7;
     let _e59 = cover;
-    height_7 = (_e57 + ((0.003f * _e59) + (0.001f * of_.b.first)));
+    height_7 = (_e57 + ((0.003f * _e59) + (0.001f * of_.pair_1_.first)));
     let _e67 = lost_10;
     let _e75 = threshold_2;
-    let _e77 = gabor_impl_above_lost(of_.b.second, of_.b.removed, of_.b.lost, _e75, 0.3f);
-    lost_10 = (_e67 + ((0.000009f * _e77) + (0.000001f * of_.b.lost)));
+    let _e77 = gabor_impl_above_lost(of_.pair_1_.second, of_.pair_1_.removed, of_.pair_1_.lost, _e75, 0.3f);
+    lost_10 = (_e67 + ((0.000009f * _e77) + (0.000001f * of_.pair_1_.lost)));
     let _e85 = colour_8;
     let _e86 = patina;
     let _e87 = cover;
@@ -3311,11 +3313,11 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborM
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_20: GaborPixel;
-    var of_12: GaborPairs;
+    var pixel_20: GaborImplPixel;
+    var of_12: GaborImplPairs;
     var layers: i32;
     var i_26: i32 = 0i;
-    var layer_10: GaborLayer;
+    var layer_10: GaborImplLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_20 = _e8;
     let _e10 = gabor_impl_no_pairs();
@@ -3353,9 +3355,9 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 //
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
-fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
+fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScratches, seed: u32) -> GaborImplLayer {
     var angle_1: f32;
-    var at_16: GaborPixel;
+    var at_16: GaborImplPixel;
     var local_79: f32;
     var bend_3: f32;
     angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
@@ -3381,7 +3383,7 @@ fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratch
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
-fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborPair) {
+fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborImplPair) {
     var size_3: f32;
     var threshold_3: f32;
     var open_1: vec3<f32>;
@@ -3435,7 +3437,7 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_22: GaborPixel;
+    var pixel_22: GaborImplPixel;
     var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_29: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
@@ -3463,12 +3465,12 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborPixel {
+fn gabor_impl_hide(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
     let _e7 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), seed, 0i);
     return _e7;
 }
 
-fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> f32 {
+fn gabor_impl_stripes_direction(pixel: GaborImplPixel, zebra: GaborZebra, seed: u32) -> f32 {
     var place_19: GaborPlace;
     let _e5 = gabor_impl_place(pixel, vec2(0.6f));
     place_19 = _e5;
@@ -3479,7 +3481,7 @@ fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32)
 }
 
 // Hair, tone and stripes.
-fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, direction: f32, zebra: GaborZebra, seed: u32) -> GaborLayer {
+fn gabor_impl_zebra_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, direction: f32, zebra: GaborZebra, seed: u32) -> GaborImplLayer {
     if (i == 0i) {
         let _e10 = gabor_impl_turned(skin, 2.0707963f);
         let _e15 = gabor_impl_spots_layer(0i, _e10, vec2<f32>(6f, 80f), seed, 3i);
@@ -3493,7 +3495,7 @@ fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, direction
     return _e30;
 }
 
-fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborImplPairs) -> GaborMaterial {
     var ragged: f32;
     var relief_1: f32;
     var intensity_1: f32;
@@ -3502,7 +3504,7 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     var colour_9: vec3<f32>;
     ragged = (0.1f * zebra.hair);
     relief_1 = (0.002f * zebra.hair);
-    intensity_1 = length(vec2<f32>(of_.c.first.x, of_.c.second.x));
+    intensity_1 = length(vec2<f32>(of_.pair_2_.first.x, of_.pair_2_.second.x));
     let _e21 = ragged;
     let _e22 = intensity_1;
     let _e30 = ragged;
@@ -3510,10 +3512,10 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     let _e33 = intensity_1;
     let _e35 = intensity_1;
     let _e44 = intensity_1;
-    let _e47 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((((_e30 * _e31) * _e33) * _e35) * of_.a.removed)), 0f, (0.01f + (0.09f * _e44)));
+    let _e47 = gabor_impl_above((of_.pair_2_.first + ((_e21 * _e22) * of_.pair_0_.first)), (of_.pair_2_.removed + ((((_e30 * _e31) * _e33) * _e35) * of_.pair_0_.removed)), 0f, (0.01f + (0.09f * _e44)));
     dark_1 = _e47.x;
-    let _e58 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
-    let _e65 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
+    let _e58 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, (0.14f * zebra.hair));
+    let _e65 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.08f);
     tones_3 = (_e58 + _e65);
     let _e69 = tones_3;
     let _e70 = gabor_impl_toned(zebra.bright, _e69);
@@ -3525,15 +3527,15 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     let _e79 = relief_1;
     let _e83 = relief_1;
     let _e84 = relief_1;
-    let _e91 = gabor_impl_material(_e78, (_e79 * of_.a.first), ((_e83 * _e84) * of_.a.lost), zebra.roughness, 0f);
+    let _e91 = gabor_impl_material(_e78, (_e79 * of_.pair_0_.first), ((_e83 * _e84) * of_.pair_0_.lost), zebra.roughness, 0f);
     return _e91;
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_26: GaborPixel;
-    var skin_5: GaborPixel;
+    var pixel_26: GaborImplPixel;
+    var skin_5: GaborImplPixel;
     var direction_2: f32;
-    var of_14: GaborPairs;
+    var of_14: GaborImplPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_26 = _e8;
     let _e10 = pixel_26;
@@ -3549,19 +3551,19 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
-    of_14.a = _e24;
+    of_14.pair_0_ = _e24;
     let _e27 = pixel_26;
     let _e28 = skin_5;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
-    of_14.b = _e31;
+    of_14.pair_1_ = _e31;
     let _e34 = pixel_26;
     let _e35 = skin_5;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
     let _e38 = gabor_impl_waves_pair(_e37);
-    of_14.c = _e38;
+    of_14.pair_2_ = _e38;
     let _e39 = of_14;
     let _e40 = gabor_impl_zebra(zebra, _e39);
     return _e40;
@@ -3569,8 +3571,8 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborPixel {
-    var trunk: GaborPixel;
+fn gabor_impl_trunk(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
+    var trunk: GaborImplPixel;
     let _e9 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), seed, 0i);
     trunk = _e9;
     let _e11 = trunk;
@@ -3582,8 +3584,8 @@ fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborPixel {
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
-fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborPixel, bark: GaborBark, seed: u32) -> GaborLayer {
-    var at_17: GaborPixel;
+fn gabor_impl_bark_layer(i: i32, pixel: GaborImplPixel, trunk: GaborImplPixel, bark: GaborBark, seed: u32) -> GaborImplLayer {
+    var at_17: GaborImplPixel;
     at_17 = trunk;
     if ((i > 1i) && (i < 6i)) {
         at_17 = pixel;
@@ -3607,7 +3609,7 @@ fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborPixel, bark: Gab
     return _e57;
 }
 
-fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_bark(bark: GaborBark, of_: GaborImplPairs) -> GaborMaterial {
     var shape: vec3<f32>;
     var removed_7: f32;
     var whole_4: vec3<f32>;
@@ -3628,9 +3630,9 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var coarses: f32;
     var both: f32;
     var lost_12: vec3<f32>;
-    shape = (of_.c.first + (0.2f * of_.a.first));
-    removed_7 = (of_.c.removed + (0.04f * of_.a.removed));
-    let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
+    shape = (of_.pair_2_.first + (0.2f * of_.pair_0_.first));
+    removed_7 = (of_.pair_2_.removed + (0.04f * of_.pair_0_.removed));
+    let _e28 = gabor_impl_line(of_.pair_3_.first, of_.pair_3_.removed, 0.13f);
     whole_4 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
     let _e32 = shape;
     let _e33 = removed_7;
@@ -3640,13 +3642,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e40 = whole_4;
     let _e41 = gabor_impl_times(_e39, _e40);
     plate = _e41;
-    weighted = (of_.a.second + vec3<f32>((0.25f * of_.a.removed), 0f, 0f));
+    weighted = (of_.pair_0_.second + vec3<f32>((0.25f * of_.pair_0_.removed), 0f, 0f));
     let _e55 = weighted;
-    let _e60 = gabor_impl_above(_e55, of_.a.removed, 0.5f, 0.4f);
+    let _e60 = gabor_impl_above(_e55, of_.pair_0_.removed, 0.5f, 0.4f);
     worn = (0.5f * _e60.x);
-    let _e71 = gabor_impl_above(of_.b.second, of_.b.removed, 0.9f, 0.5f);
+    let _e71 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, 0.9f, 0.5f);
     covered = (bark.cover * _e71.x);
-    let _e81 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.25f);
+    let _e81 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, 0.25f);
     tone_1 = _e81;
     let _e84 = tone_1;
     let _e85 = gabor_impl_toned(bark.plate, _e84);
@@ -3670,10 +3672,10 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e126));
     let _e131 = plate;
     let _e136 = coarse;
-    let _e137 = gabor_impl_times(of_.a.first, _e136);
+    let _e137 = gabor_impl_times(of_.pair_0_.first, _e136);
     height_9 = ((bark.depth * _e131) + (0.018f * _e137));
     let _e142 = whole_4;
-    let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
+    let _e153 = gabor_impl_line(of_.pair_3_.first, of_.pair_3_.removed, 0.0919239f);
     wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
     let _e158 = risen_1;
     let _e160 = risen_1;
@@ -3682,7 +3684,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e170 = removed_7;
     let _e172 = removed_7;
     rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
-    deep_1 = (bark.depth + (0.0108f * of_.a.first.x));
+    deep_1 = (bark.depth + (0.0108f * of_.pair_0_.first.x));
     let _e188 = plate;
     let _e193 = wholes;
     let _e195 = rises;
@@ -3699,12 +3701,12 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e229 = wholes;
     let _e230 = shape;
     let _e231 = removed_7;
-    let _e242 = gabor_impl_above_lost(_e230, _e231, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
+    let _e242 = gabor_impl_above_lost(_e230, _e231, (of_.pair_2_.lost + (0.04f * of_.pair_0_.lost)), -0.15f, 0.35f);
     let _e245 = rises;
-    let _e254 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
+    let _e254 = gabor_impl_line_lost(of_.pair_3_.first, of_.pair_3_.removed, of_.pair_3_.lost, 0.13f);
     let _e259 = coarses;
     let _e261 = both;
-    lost_12 = ((((_e221 * _e222) + (0.00011664f * of_.a.removed)) * ((_e229 * _e242) + ((0.3025f * _e245) * _e254))) + (((0.000324f * _e259) + _e261) * of_.a.lost));
+    lost_12 = ((((_e221 * _e222) + (0.00011664f * of_.pair_0_.removed)) * ((_e229 * _e242) + ((0.3025f * _e245) * _e254))) + (((0.000324f * _e259) + _e261) * of_.pair_0_.lost));
     let _e268 = colour_10;
     let _e269 = height_9;
     let _e270 = lost_12;
@@ -3713,9 +3715,9 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_29: GaborPixel;
-    var trunk_2: GaborPixel;
-    var of_16: GaborPairs;
+    var pixel_29: GaborImplPixel;
+    var trunk_2: GaborImplPixel;
+    var of_16: GaborImplPairs;
     var i_32: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_29 = _e8;
@@ -3734,8 +3736,8 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
         let _e28 = pixel_29;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
-        of_16.a = _e31;
+        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
+        of_16.pair_0_ = _e31;
         continuing {
             let _e21 = i_32;
             i_32 = (_e21 + 1i);
@@ -3745,17 +3747,17 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_16.b = _e37;
+    of_16.pair_1_ = _e37;
     let _e40 = pixel_29;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
-    of_16.c = _e43;
+    of_16.pair_2_ = _e43;
     let _e46 = pixel_29;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
-    of_16.d = _e49;
+    of_16.pair_3_ = _e49;
     let _e50 = of_16;
     let _e51 = gabor_impl_bark(bark, _e50);
     return _e51;
@@ -3763,9 +3765,9 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
-fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborPixel {
+fn gabor_impl_rock(pixel: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplPixel {
     var folds: vec4<f32>;
-    var rock: GaborPixel;
+    var rock: GaborImplPixel;
     folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
     let _e15 = folds;
     let _e19 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), seed, 0i);
@@ -3781,7 +3783,7 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborPi
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
-fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: GaborStrata, seed: u32) -> GaborLayer {
+fn gabor_impl_strata_layer(i: i32, pixel: GaborImplPixel, rock: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplLayer {
     var local_80: vec2<f32>;
     var local_81: vec2<f32>;
     var local_82: vec2<f32>;
@@ -3815,22 +3817,22 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: 
     return _e49;
 }
 
-fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
+fn gabor_impl_strata(strata: GaborStrata, of_: GaborImplPairs) -> GaborMaterial {
     var soft: vec3<f32>;
     var tones_4: vec2<f32>;
     var colour_11: vec3<f32>;
     var height_10: vec3<f32>;
     var lost_13: vec3<f32>;
-    let _e8 = gabor_impl_above(of_.c.first, of_.c.removed, 0.5f, 0.22f);
+    let _e8 = gabor_impl_above(of_.pair_2_.first, of_.pair_2_.removed, 0.5f, 0.22f);
     soft = _e8;
-    let _e16 = gabor_impl_tone(of_.e.first.x, of_.e.removed, 0.13f);
-    let _e23 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.11f);
+    let _e16 = gabor_impl_tone(of_.pair_4_.first.x, of_.pair_4_.removed, 0.13f);
+    let _e23 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, 0.11f);
     tones_4 = (_e16 + _e23);
     let _e27 = tones_4;
     let _e28 = gabor_impl_toned(strata.rock, _e27);
     let _e30 = tones_4;
     let _e31 = gabor_impl_toned(strata.sandstone, _e30);
-    let _e38 = gabor_impl_above(of_.b.first, of_.b.removed, 0f, 0.5f);
+    let _e38 = gabor_impl_above(of_.pair_1_.first, of_.pair_1_.removed, 0f, 0.5f);
     colour_11 = mix(_e28, _e31, vec3(_e38.x));
     let _e43 = colour_11;
     let _e45 = tones_4;
@@ -3840,17 +3842,17 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     let _e53 = colour_11;
     let _e55 = tones_4;
     let _e56 = gabor_impl_toned(strata.pale, _e55);
-    let _e64 = gabor_impl_above(of_.d.first, of_.d.removed, 1f, 0.2f);
+    let _e64 = gabor_impl_above(of_.pair_3_.first, of_.pair_3_.removed, 1f, 0.2f);
     colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
     let _e69 = colour_11;
     let _e73 = tones_4;
     let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
-    let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
+    let _e82 = gabor_impl_above(of_.pair_3_.second, of_.pair_3_.removed, 1.3f, 0.15f);
     colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
     let _e92 = soft;
-    height_10 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
-    let _e139 = gabor_impl_above_lost(of_.c.first, of_.c.removed, of_.c.lost, 0.5f, 0.22f);
-    lost_13 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
+    height_10 = (((((0.02f * of_.pair_1_.second) - (0.012f * _e92)) + (0.006f * of_.pair_3_.first)) + (0.0015f * of_.pair_4_.first)) + (0.003f * of_.pair_0_.second));
+    let _e139 = gabor_impl_above_lost(of_.pair_2_.first, of_.pair_2_.removed, of_.pair_2_.lost, 0.5f, 0.22f);
+    lost_13 = (((((0.0004f * of_.pair_1_.lost) + (0.000036f * of_.pair_3_.lost)) + (0.00000225f * of_.pair_4_.lost)) + (0.000009f * of_.pair_0_.lost)) + (0.000144f * _e139));
     let _e143 = colour_11;
     let _e145 = height_10;
     let _e150 = lost_13;
@@ -3859,9 +3861,9 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_32: GaborPixel;
-    var rock_2: GaborPixel;
-    var of_18: GaborPairs;
+    var pixel_32: GaborImplPixel;
+    var rock_2: GaborImplPixel;
+    var of_18: GaborImplPairs;
     var i_34: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_32 = _e8;
@@ -3880,8 +3882,8 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
         let _e28 = pixel_32;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
-        of_18.a = _e31;
+        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
+        of_18.pair_0_ = _e31;
         continuing {
             let _e21 = i_34;
             i_34 = (_e21 + 1i);
@@ -3891,22 +3893,22 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
-    of_18.b = _e37;
+    of_18.pair_1_ = _e37;
     let _e40 = pixel_32;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
-    of_18.c = _e43;
+    of_18.pair_2_ = _e43;
     let _e46 = pixel_32;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
-    of_18.d = _e49;
+    of_18.pair_3_ = _e49;
     let _e52 = pixel_32;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
-    of_18.e = _e55;
+    of_18.pair_4_ = _e55;
     let _e56 = of_18;
     let _e57 = gabor_impl_strata(strata, _e56);
     return _e57;
@@ -3915,9 +3917,9 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_33: GaborPixel;
-    var board_5: GaborPixel;
-    var of_19: GaborPairs;
+    var pixel_33: GaborImplPixel;
+    var board_5: GaborImplPixel;
+    var of_19: GaborImplPairs;
     var i_35: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_33 = _e6;
@@ -3948,10 +3950,10 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_34: GaborPixel;
-    var cloth_6: GaborPixel;
+    var pixel_34: GaborImplPixel;
+    var cloth_6: GaborImplPixel;
     var count_11: vec2<f32>;
-    var of_20: GaborPairs;
+    var of_20: GaborImplPairs;
     var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_34 = _e6;
@@ -3986,10 +3988,10 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_35: GaborPixel;
-    var cloth_7: GaborPixel;
+    var pixel_35: GaborImplPixel;
+    var cloth_7: GaborImplPixel;
     var count_12: vec2<f32>;
-    var of_21: GaborPairs;
+    var of_21: GaborImplPairs;
     var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_35 = _e6;
@@ -4024,9 +4026,9 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_36: GaborPixel;
-    var skin_6: GaborPixel;
-    var of_22: GaborPairs;
+    var pixel_36: GaborImplPixel;
+    var skin_6: GaborImplPixel;
+    var of_22: GaborImplPairs;
     var i_38: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_36 = _e6;
@@ -4054,12 +4056,12 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     let _e31 = skin_6;
     let _e32 = gabor_impl_leather_layer(4i, _e30, _e31, leather, seed);
     let _e33 = gabor_impl_waves_pair(_e32);
-    of_22.c = _e33;
+    of_22.pair_2_ = _e33;
     let _e36 = pixel_36;
     let _e37 = skin_6;
     let _e38 = gabor_impl_leather_layer(5i, _e36, _e37, leather, seed);
     let _e39 = gabor_impl_waves_pair(_e38);
-    of_22.d = _e39;
+    of_22.pair_3_ = _e39;
     let _e40 = pixel_36;
     let _e41 = skin_6;
     let _e42 = of_22;
@@ -4068,13 +4070,13 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
 }
 
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_37: GaborPixel;
-    var stone_4: GaborPixel;
-    var of_23: GaborPairs;
+    var pixel_37: GaborImplPixel;
+    var stone_4: GaborImplPixel;
+    var of_23: GaborImplPairs;
     var i_39: i32 = 0i;
     var material_1: GaborMaterial;
     var j_7: i32 = 4i;
-    var layer_11: GaborLayer;
+    var layer_11: GaborImplLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_37 = _e6;
     let _e8 = pixel_37;
@@ -4099,7 +4101,7 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     }
     let _e28 = of_23;
     let _e30 = of_23;
-    let _e32 = gabor_impl_marble(marble, _e28.a, _e30.b);
+    let _e32 = gabor_impl_marble(marble, _e28.pair_0_, _e30.pair_1_);
     material_1 = _e32;
     loop {
         let _e36 = j_7;
@@ -4127,11 +4129,11 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_38: GaborPixel;
-    var dune_3: GaborPixel;
-    var of_24: GaborPairs;
+    var pixel_38: GaborImplPixel;
+    var dune_3: GaborImplPixel;
+    var of_24: GaborImplPairs;
     var i_40: i32 = 0i;
-    var ripples_2: GaborLayer;
+    var ripples_2: GaborImplLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_38 = _e6;
     let _e8 = pixel_38;
@@ -4160,7 +4162,7 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     ripples_2 = _e31;
     let _e34 = ripples_2;
     let _e35 = gabor_impl_filtered_waves(_e34);
-    of_24.c = _e35;
+    of_24.pair_2_ = _e35;
     let _e36 = ripples_2;
     let _e37 = of_24;
     let _e38 = gabor_impl_sand(sand, _e36, _e37);
@@ -4168,11 +4170,11 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_39: GaborPixel;
-    var of_25: GaborPairs;
+    var pixel_39: GaborImplPixel;
+    var of_25: GaborImplPairs;
     var layers_1: i32;
     var i_41: i32 = 0i;
-    var layer_12: GaborLayer;
+    var layer_12: GaborImplLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_39 = _e6;
     let _e8 = gabor_impl_no_pairs();
@@ -4207,7 +4209,7 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_40: GaborPixel;
+    var pixel_40: GaborImplPixel;
     var sum_25: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_42: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
@@ -4234,10 +4236,10 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_41: GaborPixel;
-    var skin_7: GaborPixel;
+    var pixel_41: GaborImplPixel;
+    var skin_7: GaborImplPixel;
     var direction_3: f32;
-    var of_26: GaborPairs;
+    var of_26: GaborImplPairs;
     var i_43: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_41 = _e6;
@@ -4270,19 +4272,19 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     let _e36 = direction_3;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
     let _e38 = gabor_impl_filtered_waves(_e37);
-    of_26.c = _e38;
+    of_26.pair_2_ = _e38;
     let _e39 = of_26;
     let _e40 = gabor_impl_zebra(zebra, _e39);
     return _e40;
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_42: GaborPixel;
-    var trunk_3: GaborPixel;
-    var of_27: GaborPairs;
+    var pixel_42: GaborImplPixel;
+    var trunk_3: GaborImplPixel;
+    var of_27: GaborImplPairs;
     var i_44: i32 = 0i;
     var j_8: i32 = 6i;
-    var pair_4: GaborPair;
+    var pair_4: GaborImplPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_42 = _e6;
     let _e8 = pixel_42;
@@ -4320,10 +4322,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             let _e43 = j_8;
             if (_e43 == 6i) {
                 let _e47 = pair_4;
-                of_27.c = _e47;
+                of_27.pair_2_ = _e47;
             } else {
                 let _e49 = pair_4;
-                of_27.d = _e49;
+                of_27.pair_3_ = _e49;
             }
         }
         continuing {
@@ -4337,9 +4339,9 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
-    var rock_3: GaborPixel;
-    var of_28: GaborPairs;
+    var pixel_43: GaborImplPixel;
+    var rock_3: GaborImplPixel;
+    var of_28: GaborImplPairs;
     var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_43 = _e6;

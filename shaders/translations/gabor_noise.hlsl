@@ -37,13 +37,14 @@
 #error Include gabor_sparse.hlsl or gabor_noise.hlsl, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_HLSL
-#define GABOR_NOISE_HLSL
-#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_HLSL 1
+// 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
-// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of 6.1.
-// The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps, and
-// by 1.5 % with 4; positions differ by up to twice as much.
+// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of
+// 6.1. The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps,
+// and by 1.5 % with 4; positions differ by up to twice as much.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -69,7 +70,7 @@
 
 // float2 gabor_phasor(float2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // float3 gabor_stripes(float2 p, float2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -85,7 +86,8 @@
 
 // ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
-#define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
+// Nodes of the lattice per kernel radius.
+#define GABOR_RADIUS (0.5 * float(GABOR_TAPS))
 
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
@@ -122,7 +124,8 @@ GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, fl
 // float2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// nothing.
 struct GaborField {
     float noise;
     float2 gradient;
@@ -175,7 +178,7 @@ GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_k h(x - x_k) e^(-i u k) A_kj.
 //
-// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
@@ -206,7 +209,9 @@ uint gabor_impl_line_word(int index, uint salt) {
     return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
-#define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
+// The standard deviation of each part of an amplitude.
+#define GABOR_IMPL_DEVIATION 1.4599553e27
+
 // Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
 // are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
@@ -254,19 +259,23 @@ float2 gabor_impl_wave(float t) {
     return float2(turn.y, within < 0.0 ? -turn.x : turn.x);
 }
 
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
+// The sum of the squared windows.
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS))
+
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-void gabor_impl_windows(float x, out float4 value, out float4 slope) {
 #if GABOR_TAPS == 2
+void gabor_impl_windows(float x, out float4 value, out float4 slope) {
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
     // s = t^2 (3 - 2 t), divided by the root of the sum of their squares. The gradient's variance still varies.
     float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = rsqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * float4(1.0 - s, s, 0.0, 0.0);
     slope = 6.0 * t * (1.0 - t) * scale * scale * scale * float4(-s, 1.0 - s, 0.0, 0.0);
+}
 #elif GABOR_TAPS == 3
+void gabor_impl_windows(float x, out float4 value, out float4 slope) {
     float y = x * x;
     float c = 0.5 - y * (1.0966099 - y * (0.40054826 - y * 0.05644487)); // cos(2/3 pi x) / 2
     float s = x * (0.90689956 - y * (0.66301124 - y * (0.14532053 - y * 0.01467483))); // sqrt(3)/4 sin(2/3 pi x)
@@ -274,7 +283,9 @@ void gabor_impl_windows(float x, out float4 value, out float4 slope) {
     float b = 1.8137994 * s;
     value = float4(a - s, 0.5 + c, a + s, 0.0);
     slope = float4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
+}
 #else
+void gabor_impl_windows(float x, out float4 value, out float4 slope) {
     // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
     float z = x - 0.5, y = z * z;
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
@@ -282,8 +293,8 @@ void gabor_impl_windows(float x, out float4 value, out float4 slope) {
     float c = cosine - sine, s = cosine + sine;
     value = 0.5 + float4(-s, c, s, -c);
     slope = 3.1415927 * float4(-c, -s, c, s);
-#endif
 }
+#endif
 
 // The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
@@ -308,7 +319,7 @@ int gabor_impl_next_node(int index, int period) {
 }
 
 // The nodes along an axis whose windows reach a point.
-struct GaborAxis {
+struct GaborImplAxis {
     float offset; // offset of the point from node 0, in node spacings
     float turns;  // turns of the wave from one node to the next
     uint word[4];
@@ -316,8 +327,8 @@ struct GaborAxis {
 };
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
-GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
-    GaborAxis axis;
+GaborImplAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
+    GaborImplAxis axis;
     float zero = floor(local + (2.0 - GABOR_RADIUS));
     // The clamp matters only if a compiler fuses the product in `local` with this subtraction.
     axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
@@ -341,9 +352,9 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     return axis;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
+// take FXC four times as long through ANGLE.
 float2 gabor_impl_amplitude_at(uint word, float moment) {
     float2 amplitude = gabor_impl_amplitude(word);
     if (moment != 0.0) {
@@ -356,10 +367,18 @@ float2 gabor_impl_amplitude_at(uint word, float moment) {
     return amplitude;
 }
 
+// The row of nodes whose sums stand behind a test that is always true. The test keeps drivers for CPUs from spilling
+// registers, but it would keep C++ from vectorizing: there, no row has it.
+#ifdef __cplusplus
+#define GABOR_IMPL_TESTED_ROW 4
+#else
+#define GABOR_IMPL_TESTED_ROW 1
+#endif
+
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, float moment) {
+void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborImplAxis x, GaborImplAxis y, int j, float moment) {
     float4 row = (float4)(0.0);
     gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
@@ -367,16 +386,13 @@ void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, 
         gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
         gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
-#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0)
-#endif
-    {
+    if (j != GABOR_IMPL_TESTED_ROW || x.offset < 8.0) {
         gabor_impl_add_products(sum, row, y.node[j].xy);
         gabor_impl_add_products(slope, row, y.node[j].zw);
     }
 }
 
-void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, out float4 sum, out float4 slope) {
+void gabor_impl_sum(GaborImplAxis x, GaborImplAxis y, float moment, out float4 sum, out float4 slope) {
     sum = slope = (float4)(0.0);
     gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
     gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
@@ -398,9 +414,9 @@ GaborField gabor_impl_field(float4 sum, float4 slope, float2 turn, float2 wave, 
 GaborField gabor_field(GaborPlace place, float2 wave, uint seed) {
     wave = clamp(wave, -1.0e6, 1.0e6);
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     float4 sum, slope;
     gabor_impl_sum(x, y, place.moment, sum, slope);
@@ -488,4 +504,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_NOISE_HLSL
+#endif

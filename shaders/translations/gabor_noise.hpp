@@ -40,13 +40,14 @@
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_HPP
-#define GABOR_NOISE_HPP
-#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_HPP 1
+// 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
-// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of 6.1.
-// The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps, and
-// by 1.5 % with 4; positions differ by up to twice as much.
+// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of
+// 6.1. The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps,
+// and by 1.5 % with 4; positions differ by up to twice as much.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -72,7 +73,7 @@
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -88,7 +89,8 @@
 
 // ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
-#define GABOR_RADIUS (0.5f * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
+// Nodes of the lattice per kernel radius.
+#define GABOR_RADIUS (0.5f * float(GABOR_TAPS))
 
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
@@ -114,7 +116,8 @@ struct GaborPlace {
 // vec2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// nothing.
 struct GaborField {
     float noise;
     gabor_vec2 gradient;
@@ -156,7 +159,7 @@ struct GaborField {
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_k h(x - x_k) e^(-i u k) A_kj.
 //
-// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
@@ -187,7 +190,9 @@ GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
     return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
-#define GABOR_IMPL_DEVIATION 1.4599553e27f // standard deviation of each part of an amplitude
+// The standard deviation of each part of an amplitude.
+#define GABOR_IMPL_DEVIATION 1.4599553e27f
+
 // Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
 // are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
@@ -235,19 +240,23 @@ GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
     return gabor_vec2(turn.y, within < 0.0f ? -turn.x : turn.x);
 }
 
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of the squared windows
+// The sum of the squared windows.
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS))
+
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
 #if GABOR_TAPS == 2
+GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
     // s = t^2 (3 - 2 t), divided by the root of the sum of their squares. The gradient's variance still varies.
     float t = x + 1.0f, s = t * t * (3.0f - 2.0f * t);
     float scale = gabor_cpp_inversesqrt(1.0f - 2.0f * s * (1.0f - s));
     value = scale * gabor_vec4(1.0f - s, s, 0.0f, 0.0f);
     slope = 6.0f * t * (1.0f - t) * scale * scale * scale * gabor_vec4(-s, 1.0f - s, 0.0f, 0.0f);
+}
 #elif GABOR_TAPS == 3
+GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
     float y = x * x;
     float c = 0.5f - y * (1.0966099f - y * (0.40054826f - y * 0.05644487f)); // cos(2/3 pi x) / 2
     float s = x * (0.90689956f - y * (0.66301124f - y * (0.14532053f - y * 0.01467483f))); // sqrt(3)/4 sin(2/3 pi x)
@@ -255,7 +264,9 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     float b = 1.8137994f * s;
     value = gabor_vec4(a - s, 0.5f + c, a + s, 0.0f);
     slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
+}
 #else
+GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
     // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
     float z = x - 0.5f, y = z * z;
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
@@ -263,8 +274,8 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
     float c = cosine - sine, s = cosine + sine;
     value = 0.5f + gabor_vec4(-s, c, s, -c);
     slope = 3.1415927f * gabor_vec4(-c, -s, c, s);
-#endif
 }
+#endif
 
 // The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
@@ -289,7 +300,7 @@ GABOR_INLINE int gabor_impl_next_node(int index, int period) {
 }
 
 // The nodes along an axis whose windows reach a point.
-struct GaborAxis {
+struct GaborImplAxis {
     float offset; // offset of the point from node 0, in node spacings
     float turns;  // turns of the wave from one node to the next
     std::uint32_t word[4] = {};
@@ -297,8 +308,8 @@ struct GaborAxis {
 };
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
-GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius) {
-    GaborAxis axis;
+GABOR_INLINE GaborImplAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius) {
+    GaborImplAxis axis;
     float zero = gabor_cpp_floor(local + (2.0f - GABOR_RADIUS));
     // The clamp matters only if a compiler fuses the product in `local` with this subtraction.
     axis.offset = gabor_cpp_clamp(local - zero, GABOR_RADIUS - 2.0f, GABOR_RADIUS - 1.0f);
@@ -322,9 +333,9 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
     return axis;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
+// take FXC four times as long through ANGLE.
 GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
     if (moment != 0.0f) {
@@ -337,10 +348,18 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment
     return amplitude;
 }
 
+// The row of nodes whose sums stand behind a test that is always true. The test keeps drivers for CPUs from spilling
+// registers, but it would keep C++ from vectorizing: there, no row has it.
+#ifdef __cplusplus
+#define GABOR_IMPL_TESTED_ROW 4
+#else
+#define GABOR_IMPL_TESTED_ROW 1
+#endif
+
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, float moment) {
+GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborImplAxis x, GaborImplAxis y, int j, float moment) {
     gabor_vec4 row = gabor_vec4(0.0f);
     gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
     gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
@@ -348,16 +367,13 @@ GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, Ga
         gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
         gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
-#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f)
-#endif
-    {
+    if (j != GABOR_IMPL_TESTED_ROW || x.offset < 8.0f) {
         gabor_impl_add_products(sum, row, y.node[j].xy());
         gabor_impl_add_products(slope, row, y.node[j].zw());
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum(GaborImplAxis x, GaborImplAxis y, float moment, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
     gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
     gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
@@ -379,9 +395,9 @@ GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor
 GABOR_INLINE GaborField gabor_field(GaborPlace place, gabor_vec2 wave, std::uint32_t seed) {
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f);
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
     gabor_impl_sum(x, y, place.moment, sum, slope);
@@ -469,4 +485,4 @@ GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }
 
-#endif // GABOR_NOISE_HPP
+#endif

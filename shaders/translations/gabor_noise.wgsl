@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 605340f57d4d3648.
+// naga 30.0.1 made it from GLSL with the digest 662342ef08f6a4a6.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -54,7 +54,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // vec2f gabor_phasor(vec2f value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // vec3f gabor_stripes(vec2f p, vec2f wave, f32 sharpness, u32 seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -94,7 +94,8 @@ struct GaborPlace {
 // vec2f gabor_wave_vector(f32 frequency, f32 orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// nothing.
 struct GaborField {
     noise: f32,
     gradient: vec2<f32>,
@@ -136,7 +137,7 @@ struct GaborField {
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_k h(x - x_k) e^(-i u k) A_kj.
 //
-// After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After [TNVT19] Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
@@ -272,9 +273,6 @@ fn gabor_impl_wave(t: f32) -> vec2<f32> {
     return vec2<f32>(_e12.y, _e23);
 }
 
-// Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
-// derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
-// [-1, 0] for two.
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     var y: f32;
     var c: f32;
@@ -350,7 +348,7 @@ fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
 }
 
 // The nodes along an axis whose windows reach a point.
-struct GaborAxis {
+struct GaborImplAxis {
     offset: f32, // offset of the point from node 0, in node spacings
     turns: f32, // turns of the wave from one node to the next
     word: array<u32, 4>,
@@ -358,8 +356,8 @@ struct GaborAxis {
 }
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
-fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborAxis {
-    var axis: GaborAxis;
+fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborImplAxis {
+    var axis: GaborImplAxis;
     var zero: f32;
     var index_5: i32;
     var value_1: vec4<f32>;
@@ -433,9 +431,9 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return _e147;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
+// take FXC four times as long through ANGLE.
 fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second_1: u32;
@@ -469,7 +467,7 @@ fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, moment: f32) {
+fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, j: i32, moment: f32) {
     var row: vec4<f32> = vec4(0f);
     let _e19 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), moment);
     gabor_impl_add_products((&row), x.node[0], _e19);
@@ -483,12 +481,12 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, v
         let _e61 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), moment);
         gabor_impl_add_products((&row), x.node[3], _e61);
     }
-    if ((true && (j != 1i)) || (x.offset < 8f)) {
+    if ((j != 1i) || (x.offset < 8f)) {
         {
-            let _e74 = row;
-            gabor_impl_add_products(sum, _e74, y.node[j].xy);
-            let _e80 = row;
-            gabor_impl_add_products(slope, _e80, y.node[j].zw);
+            let _e70 = row;
+            gabor_impl_add_products(sum, _e70, y.node[j].xy);
+            let _e76 = row;
+            gabor_impl_add_products(slope, _e76, y.node[j].zw);
             return;
         }
     } else {
@@ -496,7 +494,7 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, v
     }
 }
 
-fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+fn gabor_impl_sum(x: GaborImplAxis, y: GaborImplAxis, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     let _e6 = vec4(0f);
     (*slope) = _e6;
     (*sum) = _e6;
@@ -557,8 +555,8 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
 fn gabor_field(place: GaborPlace, wave: vec2<f32>, seed: u32) -> GaborField {
     var wave_3: vec2<f32>;
     var salt_3: u32;
-    var x_4: GaborAxis;
-    var y_3: GaborAxis;
+    var x_4: GaborImplAxis;
+    var y_3: GaborImplAxis;
     var turn_5: vec2<f32>;
     var sum_3: vec4<f32>;
     var slope_5: vec4<f32>;

@@ -1,8 +1,8 @@
 // clang-format off
 // Generated from gabor_noise_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default.
 //
@@ -27,7 +27,7 @@
 #include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_3D_HPP
-#define GABOR_NOISE_3D_HPP
+#define GABOR_NOISE_3D_HPP 1
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_noise_3d.hpp
 #elif GABOR_TAPS != 3
@@ -48,8 +48,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;
@@ -122,14 +122,17 @@ GABOR_INLINE void gabor_impl_add_field_3d(GaborField3d& sum, GaborField3d field,
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-GABOR_INLINE void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, gabor_vec4& sum,
+                          gabor_vec4& slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_impl_sum(x, y, moment, sum, slope);
@@ -137,7 +140,8 @@ GABOR_INLINE void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, in
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
+                          float moment) {
     gabor_vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
@@ -160,11 +164,11 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, st
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                      GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                      GABOR_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
     gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
@@ -180,26 +184,26 @@ GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 dire
     return gabor_field_3d(gabor_place_3d_at(p), gabor_cpp_abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
-struct GaborSurface {
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+struct GaborImplSurface {
     gabor_vec3 direction;
     gabor_vec3 other;
     float second;
 };
 
-GABOR_INLINE GaborSurface gabor_impl_surface(gabor_vec3 normal, gabor_vec3 direction) {
+GABOR_INLINE GaborImplSurface gabor_impl_surface(gabor_vec3 normal, gabor_vec3 direction) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     gabor_vec3 other = gabor_cpp_cross(direction, gabor_cpp_abs(direction.z) < 0.7f ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f));
     direction -= gabor_cpp_dot(direction, normal) * normal;
     other -= gabor_cpp_dot(other, normal) * normal;
     float second = 1.0f - gabor_cpp_smoothstep(0.0625f, 0.25f, gabor_cpp_dot(direction, direction));
-    return GaborSurface{gabor_impl_unit(direction), gabor_impl_unit(other), second};
+    return GaborImplSurface{gabor_impl_unit(direction), gabor_impl_unit(other), second};
 }
 
 GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    GaborSurface surface = gabor_impl_surface(normal, direction);
+    GaborImplSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
         gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
@@ -225,34 +229,34 @@ GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float fr
 
 // The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
-struct GaborTangents {
+struct GaborImplTangents {
     bool only;
     gabor_vec3 along;
     gabor_vec3 across;
 };
 
-GABOR_INLINE GaborTangents gabor_impl_all_directions() {
-    return GaborTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)};
+GABOR_INLINE GaborImplTangents gabor_impl_all_directions() {
+    return GaborImplTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)};
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-GABOR_INLINE GaborTangents gabor_impl_tangents(gabor_vec3 normal, int axis) {
+GABOR_INLINE GaborImplTangents gabor_impl_tangents(gabor_vec3 normal, int axis) {
     gabor_vec3 along = gabor_impl_unit(gabor_cpp_cross(axis == 0 ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f), normal));
-    return GaborTangents{true, along, gabor_cpp_cross(normal, along)};
+    return GaborImplTangents{true, along, gabor_cpp_cross(normal, along)};
 }
 
 // The waves of a node: unit wave vectors and, in w, the point's offset from the node along them.
-struct GaborStar3d {
-    gabor_vec4 u;
-    gabor_vec4 v;
-    gabor_vec4 w;
+struct GaborImplStar3d {
+    gabor_vec4 first;
+    gabor_vec4 second;
+    gabor_vec4 third;
 };
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
-GABOR_INLINE GaborStar3d gabor_impl_star_3d(GaborTangents tangents, gabor_vec3 d, std::uint32_t word) {
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
+GABOR_INLINE GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, gabor_vec3 d, std::uint32_t word) {
     gabor_vec2 turn = gabor_impl_half_turn(1.1641532e-10f * float(int(word)));
     gabor_vec3 first = turn.x * tangents.along + turn.y * tangents.across;
     gabor_vec3 second = turn.x * tangents.across - turn.y * tangents.along;
@@ -265,11 +269,11 @@ GABOR_INLINE GaborStar3d gabor_impl_star_3d(GaborTangents tangents, gabor_vec3 d
         v = spin.x * across + spin.y * lifted;
         w = spin.x * lifted - spin.y * across;
     }
-    return GaborStar3d{u, v, w};
+    return GaborImplStar3d{u, v, w};
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float moment, std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec2 value = window.w * a;
@@ -280,50 +284,54 @@ GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, g
 }
 
 // A node on an axis, with its window and the window's derivative.
-struct GaborNode {
+struct GaborImplNode {
     float offset; // offset of the point from the node
     float value;
     float slope;
 };
 
-GABOR_INLINE GaborNode gabor_impl_node(GaborAxis axis, int i) {
+GABOR_INLINE GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     gabor_vec4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborNode{(axis.offset + 1.0f - float(i)) / GABOR_RADIUS, node.x, node.z};
+    return GaborImplNode{(axis.offset + 1.0f - float(i)) / GABOR_RADIUS, node.x, node.z};
 }
 
-GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborAxis axis, int i) {
+GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborImplAxis axis, int i) {
     return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, gabor_vec3 scale, float moment,
-                                  GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, gabor_vec3 scale,
+                                  float moment, GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
-    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 window = gabor_vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
-GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
+                                      GABOR_RADIUS);
     gabor_vec3 stretch = place.radius / GABOR_RADIUS, scale = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) / stretch;
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = 0; i < 9; ++i) {
-        GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
+        GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     float amplitude = gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)
@@ -352,4 +360,4 @@ GABOR_INLINE GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, gabo
     return sum;
 }
 
-#endif // GABOR_NOISE_3D_HPP
+#endif

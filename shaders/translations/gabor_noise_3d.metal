@@ -1,7 +1,7 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// gabor_noise_3d.metal: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.metal: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, the default.
 //
@@ -28,7 +28,7 @@
 using namespace metal;
 
 #ifndef GABOR_NOISE_3D_METAL
-#define GABOR_NOISE_3D_METAL
+#define GABOR_NOISE_3D_METAL 1
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_noise_3d.metal
 #elif GABOR_TAPS != 3
@@ -49,8 +49,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     float noise;
     float3 gradient;
@@ -123,14 +123,17 @@ inline void gabor_impl_add_field_3d(thread GaborField3d& sum, GaborField3d field
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 inline uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-inline void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, thread float4& sum, thread float4& slope) {
+inline void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, thread float4& sum,
+                          thread float4& slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_impl_sum(x, y, moment, sum, slope);
@@ -138,7 +141,8 @@ inline void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, f
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
+inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
+                          float moment) {
     float4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
@@ -161,11 +165,11 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
     float3 stretch = place.radius / GABOR_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                      GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                      GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float4 sum = float4(0.0), slopes = float4(0.0);
     gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
@@ -181,26 +185,26 @@ inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint se
     return gabor_field_3d(gabor_place_3d_at(p), abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
-struct GaborSurface {
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+struct GaborImplSurface {
     float3 direction;
     float3 other;
     float second;
 };
 
-inline GaborSurface gabor_impl_surface(float3 normal, float3 direction) {
+inline GaborImplSurface gabor_impl_surface(float3 normal, float3 direction) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
     float second = 1.0 - smoothstep(0.0625, 0.25, dot(direction, direction));
-    return GaborSurface{gabor_impl_unit(direction), gabor_impl_unit(other), second};
+    return GaborImplSurface{gabor_impl_unit(direction), gabor_impl_unit(other), second};
 }
 
 inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
-    GaborSurface surface = gabor_impl_surface(normal, direction);
+    GaborImplSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
@@ -226,34 +230,34 @@ inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float
 
 // The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
-struct GaborTangents {
+struct GaborImplTangents {
     bool only;
     float3 along;
     float3 across;
 };
 
-inline GaborTangents gabor_impl_all_directions() {
-    return GaborTangents{false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)};
+inline GaborImplTangents gabor_impl_all_directions() {
+    return GaborImplTangents{false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)};
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-inline GaborTangents gabor_impl_tangents(float3 normal, int axis) {
+inline GaborImplTangents gabor_impl_tangents(float3 normal, int axis) {
     float3 along = gabor_impl_unit(cross(axis == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
-    return GaborTangents{true, along, cross(normal, along)};
+    return GaborImplTangents{true, along, cross(normal, along)};
 }
 
 // The waves of a node: unit wave vectors and, in w, the point's offset from the node along them.
-struct GaborStar3d {
-    float4 u;
-    float4 v;
-    float4 w;
+struct GaborImplStar3d {
+    float4 first;
+    float4 second;
+    float4 third;
 };
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
-inline GaborStar3d gabor_impl_star_3d(GaborTangents tangents, float3 d, uint word) {
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
+inline GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, float3 d, uint word) {
     float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     float3 first = turn.x * tangents.along + turn.y * tangents.across;
     float3 second = turn.x * tangents.across - turn.y * tangents.along;
@@ -266,11 +270,11 @@ inline GaborStar3d gabor_impl_star_3d(GaborTangents tangents, float3 d, uint wor
         v = spin.x * across + spin.y * lifted;
         w = spin.x * lifted - spin.y * across;
     }
-    return GaborStar3d{u, v, w};
+    return GaborImplStar3d{u, v, w};
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 inline void gabor_impl_add_wave_3d(thread GaborField3d& sum, float4 window, float4 wave, float moment, uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float2 value = window.w * a;
@@ -281,50 +285,54 @@ inline void gabor_impl_add_wave_3d(thread GaborField3d& sum, float4 window, floa
 }
 
 // A node on an axis, with its window and the window's derivative.
-struct GaborNode {
+struct GaborImplNode {
     float offset; // offset of the point from the node
     float value;
     float slope;
 };
 
-inline GaborNode gabor_impl_node(GaborAxis axis, int i) {
+inline GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     float4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborNode{(axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z};
+    return GaborImplNode{(axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z};
 }
 
-inline uint gabor_impl_node_word(GaborAxis axis, int i) {
+inline uint gabor_impl_node_word(GaborImplAxis axis, int i) {
     return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-inline void gabor_impl_add_node_waves_3d(thread GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, float3 scale, float moment,
-                                  GaborTangents tangents, uint column, uint4 row) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+inline void gabor_impl_add_node_waves_3d(thread GaborField3d& sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, float3 scale,
+                                  float moment, GaborImplTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
-    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 window = float4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
-inline GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, uint seed) {
+inline GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                  GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis y =
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
+                                      GABOR_RADIUS);
     float3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = 0; i < 9; ++i) {
-        GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
+        GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     float amplitude = rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
@@ -353,4 +361,4 @@ inline GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 nor
     return sum;
 }
 
-#endif // GABOR_NOISE_3D_METAL
+#endif

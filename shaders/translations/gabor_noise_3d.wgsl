@@ -1,9 +1,9 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest aa4e6ff2ac4ec57e.
+// naga 30.0.1 made it from GLSL with the digest f203866f67b58bae.
 // Paste it after gabor_noise.wgsl.
 //
-// gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point.
+// gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
+// normal distribution at every point.
 //
 // Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default.
 //
@@ -39,8 +39,8 @@ struct GaborPlace3d {
 // GaborPlace3d gabor_place_3d_tiled(vec3f p, vec3f period)
 //     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
-// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
-// component along the normal.
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
+// gradient's component along the normal.
 struct GaborField3d {
     noise: f32,
     gradient: vec3<f32>,
@@ -142,8 +142,8 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-fn gabor_impl_sum_slice(x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    var y_5: GaborAxis;
+fn gabor_impl_sum_slice(x: GaborImplAxis, y: GaborImplAxis, z: GaborImplAxis, k: i32, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    var y_5: GaborImplAxis;
     var j_1: i32 = 0i;
     y_5 = y;
     loop {
@@ -168,7 +168,7 @@ fn gabor_impl_sum_slice(x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment: f32) {
+fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, z: GaborImplAxis, k: i32, moment: f32) {
     var slice_1: vec4<f32>;
     var slope_7: vec4<f32>;
     gabor_impl_sum_slice(x, y, z, k, moment, (&slice_1), (&slope_7));
@@ -241,9 +241,9 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
     var wave_7: vec3<f32>;
     var stretch_3: vec3<f32>;
     var salt_4: u32;
-    var x_7: GaborAxis;
-    var y_7: GaborAxis;
-    var z_4: GaborAxis;
+    var x_7: GaborImplAxis;
+    var y_7: GaborImplAxis;
+    var z_4: GaborImplAxis;
     var turn_8: vec2<f32>;
     var sum_10: vec4<f32> = vec4(0f);
     var slopes_3: vec4<f32> = vec4(0f);
@@ -310,15 +310,15 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
     return _e8.noise;
 }
 
-// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
-// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
-struct GaborSurface {
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto
+// the tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+struct GaborImplSurface {
     direction: vec3<f32>,
     other: vec3<f32>,
     second: f32,
 }
 
-fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborSurface {
+fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborImplSurface {
     var normal_1: vec3<f32>;
     var direction_2: vec3<f32>;
     var local_14: vec3<f32>;
@@ -359,11 +359,11 @@ fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborSurface {
     let _e51 = other;
     let _e52 = gabor_impl_unit(_e51);
     let _e53 = second_2;
-    return GaborSurface(_e50, _e52, _e53);
+    return GaborImplSurface(_e50, _e52, _e53);
 }
 
 fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var surface: GaborSurface;
+    var surface: GaborImplSurface;
     var sum_11: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_15: i32;
     var i: i32;
@@ -450,19 +450,19 @@ fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, directio
 
 // The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
-struct GaborTangents {
+struct GaborImplTangents {
     only: bool,
     along: vec3<f32>,
     across: vec3<f32>,
 }
 
-fn gabor_impl_all_directions() -> GaborTangents {
-    return GaborTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f));
+fn gabor_impl_all_directions() -> GaborImplTangents {
+    return GaborImplTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f));
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-fn gabor_impl_tangents(normal: vec3<f32>, axis: i32) -> GaborTangents {
+fn gabor_impl_tangents(normal: vec3<f32>, axis: i32) -> GaborImplTangents {
     var local_19: vec3<f32>;
     var along: vec3<f32>;
     if (axis == 0i) {
@@ -475,20 +475,20 @@ fn gabor_impl_tangents(normal: vec3<f32>, axis: i32) -> GaborTangents {
     along = _e15;
     let _e18 = along;
     let _e19 = along;
-    return GaborTangents(true, _e18, cross(normal, _e19));
+    return GaborImplTangents(true, _e18, cross(normal, _e19));
 }
 
 // The waves of a node: unit wave vectors and, in w, the point's offset from the node along them.
-struct GaborStar3d {
-    u: vec4<f32>,
-    v: vec4<f32>,
-    w: vec4<f32>,
+struct GaborImplStar3d {
+    first: vec4<f32>,
+    second: vec4<f32>,
+    third: vec4<f32>,
 }
 
 // A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
-// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
-// it within a quarter circle.
-fn gabor_impl_star_3d(tangents: GaborTangents, d: vec3<f32>, word: u32) -> GaborStar3d {
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
+// around it within a quarter circle.
+fn gabor_impl_star_3d(tangents: GaborImplTangents, d: vec3<f32>, word: u32) -> GaborImplStar3d {
     var turn_9: vec2<f32>;
     var first_1: vec3<f32>;
     var second_3: vec3<f32>;
@@ -550,11 +550,11 @@ fn gabor_impl_star_3d(tangents: GaborTangents, d: vec3<f32>, word: u32) -> Gabor
     let _e112 = u_1;
     let _e113 = v_2;
     let _e114 = w;
-    return GaborStar3d(_e112, _e113, _e114);
+    return GaborImplStar3d(_e112, _e113, _e114);
 }
 
-// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
-// to the point.
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
+// node to the point.
 fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, wave: vec4<f32>, moment: f32, word: u32) {
     var a_2: vec2<f32>;
     var value_5: vec2<f32>;
@@ -582,13 +582,13 @@ fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, w
 }
 
 // A node on an axis, with its window and the window's derivative.
-struct GaborNode {
+struct GaborImplNode {
     offset: f32, // offset of the point from the node
     value: f32,
     slope: f32,
 }
 
-fn gabor_impl_node(axis: GaborAxis, i: i32) -> GaborNode {
+fn gabor_impl_node(axis: GaborImplAxis, i: i32) -> GaborImplNode {
     var local_20: vec4<f32>;
     var local_21: vec4<f32>;
     var node: vec4<f32>;
@@ -607,10 +607,10 @@ fn gabor_impl_node(axis: GaborAxis, i: i32) -> GaborNode {
     node = _e18;
     let _e30 = node;
     let _e32 = node;
-    return GaborNode((((axis.offset + 1f) - f32(i)) / 1.5f), _e30.x, _e32.z);
+    return GaborImplNode((((axis.offset + 1f) - f32(i)) / 1.5f), _e30.x, _e32.z);
 }
 
-fn gabor_impl_node_word(axis: GaborAxis, i: i32) -> u32 {
+fn gabor_impl_node_word(axis: GaborImplAxis, i: i32) -> u32 {
     var local_22: u32;
     var local_23: u32;
     if (i == 0i) {
@@ -628,11 +628,11 @@ fn gabor_impl_node_word(axis: GaborAxis, i: i32) -> u32 {
     return _e18;
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
-// frequency along each axis.
-fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, y: GaborNode, z: GaborNode, scale: vec3<f32>, moment: f32, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
+// `scale`: the frequency along each axis.
+fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplNode, y: GaborImplNode, z: GaborImplNode, scale: vec3<f32>, moment: f32, tangents: GaborImplTangents, column: u32, row: vec4<u32>) {
     var d_1: vec3<f32>;
-    var star: GaborStar3d;
+    var star: GaborImplStar3d;
     var window_1: vec4<f32>;
     var unit: vec4<f32>;
     d_1 = (scale * vec3<f32>(x.offset, y.offset, z.offset));
@@ -644,16 +644,16 @@ fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, 
     let _e49 = window_1;
     let _e50 = unit;
     let _e51 = star;
-    gabor_impl_add_wave_3d(sum, _e49, (_e50 * _e51.u), moment, (column * row.x));
+    gabor_impl_add_wave_3d(sum, _e49, (_e50 * _e51.first), moment, (column * row.x));
     let _e58 = window_1;
     let _e59 = unit;
     let _e60 = star;
-    gabor_impl_add_wave_3d(sum, _e58, (_e59 * _e60.v), moment, (column * row.y));
+    gabor_impl_add_wave_3d(sum, _e58, (_e59 * _e60.second), moment, (column * row.y));
     if !(tangents.only) {
         let _e69 = window_1;
         let _e70 = unit;
         let _e71 = star;
-        gabor_impl_add_wave_3d(sum, _e69, (_e70 * _e71.w), moment, (column * row.z));
+        gabor_impl_add_wave_3d(sum, _e69, (_e70 * _e71.third), moment, (column * row.z));
         return;
     } else {
         return;
@@ -661,17 +661,17 @@ fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, 
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
-fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
+fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborImplTangents, seed: u32) -> GaborField3d {
     var salt_5: u32;
-    var x_9: GaborAxis;
-    var y_9: GaborAxis;
-    var z_6: GaborAxis;
+    var x_9: GaborImplAxis;
+    var y_9: GaborImplAxis;
+    var z_6: GaborImplAxis;
     var stretch_4: vec3<f32>;
     var scale_1: vec3<f32>;
     var sum_14: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_3: i32 = 0i;
-    var y_j: GaborNode;
-    var z_k: GaborNode;
+    var y_j: GaborImplNode;
+    var z_k: GaborImplNode;
     var row_3: vec4<u32>;
     var field_6: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_24: f32;

@@ -1,30 +1,34 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c3a90d2535390bf8.
+// naga 30.0.1 made it from GLSL with the digest 196a1558d7f9b3c1.
 // Paste it after gabor_noise.wgsl.
 //
-// gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
+// gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, alike on CPU and GPU.
 //
 // Paste or include this file after gabor_noise.wgsl.
 //
-//     GaborOcean sea = gabor_ocean(12.0);                            // a wind of 12 m/s; once per draw, or as a uniform
-//     GaborWater w = gabor_water(p, 60.5, sea, 7u);                  // p in metres, after 60.5 seconds
-//     vec2f place = p + w.shift;                                      // of the water, at the height w.height
+//     GaborOcean sea = gabor_ocean(12.0);              // a wind of 12 m/s; once per draw, or as a uniform
+//     GaborWater w = gabor_water(p, 60.5, sea, 7u);    // p in metres, after 60.5 seconds
+//     vec2f place = p + w.shift;                        // of the water, at the height w.height
 //
-// I want water under a pixel: gabor_water_filtered. A boat's height: gabor_water_height. A world of any size, or months of
-// time: gabor_water_at. Another direction or fetch, a swell, or a film that loops: gabor_ocean_of.
+//     I want                                           call
+//     water under a pixel                              gabor_water_filtered
+//     a boat's height                                  gabor_water_height
+//     a world of any size, or months of time           gabor_water_at
+//     another direction or fetch, a swell, a loop      gabor_ocean_of
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that sums are exact.
+// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that
+// sums are exact.
 struct GaborOceanBand {
     amplitude: f32, // rms height in metres
     slopes: vec2<f32>, // variance of the slopes along the band's direction and across it
     exponent: i32, // the spacing of nodes is 2^exponent metres
     low: f32, // 65536 times the lowest frequency in Hz
-    early: vec3<f32>, // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next 3/16, 4/16,
-    late: vec3<f32>, // 4/16, 3/16 and 1/16
-    spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in [-1, 1],
-    widen: vec2<f32>, // times a linear function of the frequency
+    early: vec3<f32>, // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next
+    late: vec3<f32>, // 3/16, 4/16, 4/16, 3/16 and 1/16
+    spread: vec3<f32>, // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in
+    widen: vec2<f32>, // [-1, 1], times a linear function of the frequency
     drift: vec2<i32>, // 32768 times the group velocity in nodes per second
 }
 
@@ -39,12 +43,13 @@ struct GaborOcean {
 }
 // GaborOcean gabor_ocean(f32 wind)
 // GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
-//     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
-//     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
-//     narrow spread of directions and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32
-//     ... 4096 seconds, to which other values are rounded down. Its price: groups of waves stand still, and each wave's period
-//     becomes an integer fraction of it, so a loop should last several periods of the swell. Compute a sea once, on the CPU if
-//     the CPU also asks for heights: the integers may round differently on another device. To change a member, call this again.
+//     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the
+//     JONSWAP spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a
+//     remote storm, has a narrow spread of directions and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats
+//     after a loop of 8, 16, 32 ... 4096 seconds, to which other values are rounded down. Its price: groups of waves
+//     stand still, and each wave's period becomes an integer fraction of it, so a loop should last several periods of
+//     the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers may round differently on
+//     another device. To change a member, call this again.
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
@@ -57,82 +62,191 @@ struct GaborWater {
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
 // GaborWater gabor_water_filtered(vec2f p, vec2f dx, vec2f dy, f32 seconds, GaborOcean ocean, u32 seed)
-//     The same without waves that are too fine for a pixel (dx and dy are dpdx(p), dpdy(p)), whose slopes are in `lost`, as are
-//     those of waves shorter than all bands: with them, slopes have the variance that Cox and Munk measured [CM54], if the sea has
-//     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
+//     The same without waves that are too fine for a pixel (dx and dy are dpdx(p), dpdy(p)), whose slopes are in
+//     `lost`, as are those of waves shorter than all bands: with them, slopes have the variance that Cox and Munk
+//     measured [CM54], if the sea has neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone
+//     have up to 1.8 times that.
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
+// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean,
+//                            u32 seed)
 //     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
 //     vec2f(0.0) do not filter.
 
-// [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
-// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980. [G10] Goda, "Random
-// seas", 2010. [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
-// [PM64] Pierson, Moskowitz, "A proposed spectral form for fully developed wind seas", 1964.
+// [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
+// Project, 1973. [HDE80] Hasselmann, Dunckel, Ewing: Directional wave spectra observed during JONSWAP 1973, 1980.
+// [G10] Goda: Random seas, 2010. [CM54] Cox, Munk: Measurement of the roughness of the sea surface from photographs of
+// the sun's glitter, 1954. [PM64] Pierson, Moskowitz: A proposed spectral form for fully developed wind seas, 1964.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 //
-// Each band is a lattice noise of two taps whose nodes have wave vectors of their own, drawn from the band's part of the spectrum:
-// an angle d from the band's direction and a frequency F, from which the wave number follows by the dispersion relation of deep
-// water, (2 pi F)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from
-// there, phases turn by F - k.V. With V = g / (4 pi F0) along that direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer, so that
-// the phase is exact after any time, and the same on every device: floats below 2^24 and powers of 2 are exact.
+// Each band is a lattice noise of two taps whose nodes have wave vectors of their own, drawn from the band's part of
+// the spectrum: an angle d from the band's direction and a frequency F, from which the wave number follows by the
+// dispersion relation of deep water, (2 pi F)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so
+// that groups travel as they should; seen from there, phases turn by F - k.V. With V = g / (4 pi F0) along that
+// direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer, so that the phase is exact after any time, and the same
+// on every device: floats below 2^24 and powers of 2 are exact.
 //
-// Bands 1 to 3 and the swell hold most of the height: there, amplitudes are normal. In the others, their squares are uniform, to make
-// up for the kurtosis that different directions give the slopes. Each seed shifts the lattices, so that no place differs from others.
+// Bands 1 to 3 and the swell hold most of the height: there, amplitudes are normal. In the others, their squares are
+// uniform, to make up for the kurtosis that different directions give the slopes. Each seed shifts the lattices, so
+// that no place differs from others.
 
-fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32, sharp: f32) -> vec2<f32> {
+// ---- The sea's bands -----------------------------------------------------------------------------------------------
+
+// A JONSWAP spectrum: the frequency of its peak, its scale, and the logarithm of how much its peak is raised.
+struct GaborImplJonswap {
+    peak: f32,
+    scale: f32,
+    sharp: f32,
+}
+
+// The spectrum of waves that a wind raises over a fetch.
+fn gabor_impl_wind_waves(wind: f32, fetch: f32) -> GaborImplJonswap {
+    var gravity: f32 = 9.81f;
+    var reach_1: f32;
+    var peak: f32;
+    var scale: f32;
+    let _e4 = gravity;
+    reach_1 = min(((_e4 * fetch) / (wind * wind)), 21500f);
+    let _e12 = gravity;
+    let _e15 = reach_1;
+    peak = (((3.5f * _e12) / wind) * pow(_e15, -0.33f));
+    let _e22 = reach_1;
+    let _e27 = gravity;
+    let _e29 = gravity;
+    scale = ((((0.076f * pow(_e22, -0.22f)) * _e27) * _e29) / 1558.5455f);
+    let _e34 = peak;
+    let _e35 = scale;
+    return GaborImplJonswap(_e34, _e35, 1.1939225f);
+}
+
+// The spectrum at a frequency in m^2 / Hz, and the same times f^4.
+fn gabor_impl_spectrum(f: f32, sea: GaborImplJonswap) -> vec2<f32> {
     var below: f32;
     var local_11: f32;
     var apart: f32;
-    below = ((peak * peak) / (f * f));
-    if (f < peak) {
+    below = ((sea.peak * sea.peak) / (f * f));
+    if (f < sea.peak) {
         local_11 = 0.07f;
     } else {
         local_11 = 0.09f;
     }
-    let _e15 = local_11;
-    apart = (((f / peak) - 1f) / _e15);
-    let _e21 = apart;
-    let _e23 = apart;
-    let _e28 = below;
-    let _e30 = below;
-    return (((scale / f) * exp(((sharp * exp(((-0.5f * _e21) * _e23))) - ((1.25f * _e28) * _e30)))) * vec2<f32>((1f / (((f * f) * f) * f)), 1f));
+    let _e17 = local_11;
+    apart = (((f / sea.peak) - 1f) / _e17);
+    let _e25 = apart;
+    let _e27 = apart;
+    let _e32 = below;
+    let _e34 = below;
+    return (((sea.scale / f) * exp(((sea.sharp * exp(((-0.5f * _e25) * _e27))) - ((1.25f * _e32) * _e34)))) * vec2<f32>((1f / (((f * f) * f) * f)), 1f));
 }
 
-fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
-    var direction_1: f32;
-    var gravity: f32 = 9.81f;
-    var tick: f32 = 0.000015258789f;
-    var ocean: GaborOcean;
-    var local_12: i32;
-    var reach_1: f32;
-    var peak_1: f32;
-    var scale_1: f32;
-    var sharp_1: f32 = 1.1939225f;
-    var power_1: i32;
-    var i: i32 = 0i;
-    var local_13: u32;
-    var low: f32;
-    var remote: bool;
-    var width: f32;
-    var variance: f32;
-    var sum_5: vec2<f32>;
-    var fit: vec4<f32>;
-    var j_1: i32;
+// The frequency of step j of the 16, `width` wide, that a band's frequencies from `low` up are divided into.
+fn gabor_impl_step_frequency(j: i32, low: f32, width: f32) -> f32 {
+    return (0.000015258789f * (low + ((f32(j) + 0.5f) * width)));
+}
+
+// The power of a band, and means over it. `rise` is 1024 F / low, as in gabor_impl_ocean_waves, less 1236 here.
+struct GaborImplBandPower {
+    sum: vec2<f32>, // the power, and the same times f^4
+    variance: f32, // the mean of sin(d / 2)^2, where d is the angle from the band's direction
+    fit: vec4<f32>, // means of rise, r, rise^2 and rise r, where r^2 is the mean of sin(d / 2)^2 at that frequency
+}
+
+fn gabor_impl_band_power(low: f32, sea: GaborImplJonswap, remote: bool) -> GaborImplBandPower {
+    var power_1: GaborImplBandPower = GaborImplBandPower(vec2(0f), 0f, vec4(0f));
+    var width_1: f32;
+    var j_2: i32 = 0i;
     var f_1: f32;
     var x_5: f32;
     var above: f32;
-    var local_14: f32;
-    var local_15: f32;
+    var local_12: f32;
+    var local_13: f32;
     var s_2: f32;
     var here: f32;
     var part: vec2<f32>;
+    width_1 = (0.025878906f * low);
+    loop {
+        let _e15 = j_2;
+        if !((_e15 < 16i)) {
+            break;
+        }
+        {
+            let _e22 = j_2;
+            let _e23 = width_1;
+            let _e24 = gabor_impl_step_frequency(_e22, low, _e23);
+            f_1 = _e24;
+            let _e27 = j_2;
+            x_5 = ((26.5f * f32(_e27)) - 198.75f);
+            let _e33 = f_1;
+            above = (_e33 / sea.peak);
+            if remote {
+                local_13 = 75f;
+            } else {
+                let _e39 = above;
+                let _e40 = above;
+                if (_e40 < 1f) {
+                    local_12 = 4.06f;
+                } else {
+                    local_12 = -2.34f;
+                }
+                let _e47 = local_12;
+                local_13 = (9.77f * pow(_e39, _e47));
+            }
+            let _e51 = local_13;
+            s_2 = _e51;
+            let _e54 = s_2;
+            here = (0.5f / (_e54 + 1f));
+            let _e60 = width_1;
+            let _e62 = f_1;
+            let _e63 = gabor_impl_spectrum(_e62, sea);
+            part = ((0.000015258789f * _e60) * _e63);
+            let _e67 = power_1;
+            let _e69 = part;
+            power_1.sum = (_e67.sum + _e69);
+            let _e72 = power_1;
+            let _e74 = part;
+            let _e76 = here;
+            power_1.variance = (_e72.variance + (_e74.x * _e76));
+            let _e80 = power_1;
+            let _e82 = part;
+            let _e84 = x_5;
+            let _e85 = here;
+            let _e87 = x_5;
+            let _e88 = x_5;
+            let _e90 = x_5;
+            let _e91 = here;
+            power_1.fit = (_e80.fit + (_e82.x * vec4<f32>(_e84, sqrt(_e85), (_e87 * _e88), (_e90 * sqrt(_e91)))));
+        }
+        continuing {
+            let _e19 = j_2;
+            j_2 = (_e19 + 1i);
+        }
+    }
+    let _e98 = power_1;
+    let _e100 = power_1;
+    power_1.variance = (_e98.variance / _e100.sum.x);
+    let _e105 = power_1;
+    let _e107 = power_1;
+    power_1.fit = (_e105.fit / vec4(_e107.sum.x));
+    let _e112 = power_1;
+    return _e112;
+}
+
+// The directions of a band: its members `spread` and `widen`, and the mean of cos^2 d.
+struct GaborImplBandSpread {
+    spread: vec3<f32>,
+    widen: vec2<f32>,
+    along: f32,
+}
+
+// sin(d / 2) is (a u + b u^3 + c v) times 1 + widen rise, where u and v are uniform in [-1, 1].
+fn gabor_impl_band_spread(power: GaborImplBandPower) -> GaborImplBandSpread {
+    var variance: f32;
     var deviation: f32;
     var narrow: f32;
+    var fit: vec4<f32>;
     var c_1: f32;
     var widen: f32;
     var most: f32;
@@ -141,366 +255,314 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     var a_2: f32;
     var b_2: f32;
     var fourth_1: f32;
-    var along: f32;
-    var early: vec3<f32>;
-    var late: vec3<f32>;
-    var ahead: vec3<f32>;
-    var n: i32;
+    variance = power.variance;
+    let _e3 = variance;
+    deviation = sqrt(_e3);
+    let _e7 = variance;
+    narrow = ((0.5f / _e7) - 1.8f);
+    fit = power.fit;
+    let _e15 = deviation;
+    let _e17 = narrow;
+    c_1 = ((0.9f * _e15) * clamp(_e17, 0f, 1f));
+    let _e24 = narrow;
+    let _e29 = fit;
+    let _e31 = fit;
+    let _e33 = fit;
+    let _e38 = fit;
+    let _e40 = fit;
+    let _e42 = fit;
+    let _e46 = deviation;
+    widen = ((clamp((0.3f * _e24), 0f, 1f) * (_e29.w - (_e31.x * _e33.y))) / ((_e38.z - (_e40.x * _e42.x)) * _e46));
+    let _e51 = widen;
+    widen = (floor((clamp((16384f * _e51), -32f, 32f) + 0.5f)) / 16384f);
+    let _e65 = widen;
+    let _e69 = fit;
+    let _e71 = widen;
+    most = (1f / ((1f + (212f * abs(_e65))) - (_e69.x * _e71)));
+    let _e77 = deviation;
+    let _e79 = most;
+    let _e80 = c_1;
+    end = min((1.8f * _e77), (_e79 - _e80));
+    let _e84 = variance;
+    let _e85 = c_1;
+    let _e86 = c_1;
+    rest = (_e84 - ((_e85 * _e86) / 3f));
+    let _e93 = rest;
+    let _e96 = end;
+    let _e98 = end;
+    let _e105 = end;
+    a_2 = ((sqrt(max(((0.3047619f * _e93) - ((0.0304762f * _e96) * _e98)), 0f)) - (0.1142857f * _e105)) / 0.152381f);
+    let _e111 = end;
+    let _e112 = a_2;
+    b_2 = (_e111 - _e112);
+    let _e115 = a_2;
+    let _e116 = a_2;
+    let _e118 = a_2;
+    let _e121 = a_2;
+    let _e124 = b_2;
+    let _e128 = b_2;
+    let _e129 = b_2;
+    let _e132 = a_2;
+    let _e134 = a_2;
+    let _e137 = a_2;
+    let _e139 = b_2;
+    let _e143 = b_2;
+    let _e145 = b_2;
+    let _e150 = c_1;
+    let _e151 = c_1;
+    let _e154 = rest;
+    let _e157 = c_1;
+    let _e159 = c_1;
+    fourth_1 = (((((_e115 * _e116) * _e118) * ((0.2f * _e121) + (0.5714286f * _e124))) + ((_e128 * _e129) * ((((0.6666667f * _e132) * _e134) + ((0.36363637f * _e137) * _e139)) + ((0.07692308f * _e143) * _e145)))) + ((_e150 * _e151) * ((2f * _e154) + ((0.2f * _e157) * _e159))));
+    let _e166 = a_2;
+    let _e167 = b_2;
+    let _e168 = c_1;
+    let _e179 = fit;
+    let _e183 = widen;
+    let _e186 = widen;
+    let _e192 = variance;
+    let _e196 = fourth_1;
+    return GaborImplBandSpread((floor((511.5f * vec3<f32>(_e166, _e167, _e168))) * vec3<f32>(8f, 0.00390625f, 8f)), floor((16384f * vec2<f32>((1f - ((_e179.x + 1236f) * _e183)), _e186))), ((1f - (4f * _e192)) + (4f * _e196)));
+}
+
+// The frequencies of a band whose power is `whole`: its members `early` and `late`, by the inverse of the distribution.
+// The knots have 0.0621, 0.2483, 0.4965, 0.7448, 0.931 and all of the power below them, instead of 1/16, 4/16, 8/16 and
+// so on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
+fn gabor_impl_band_knots(low: f32, whole: f32, sea: GaborImplJonswap, early: ptr<function, vec3<f32>>, late: ptr<function, vec3<f32>>) {
+    var first_1: vec3<f32> = vec3(0f);
+    var second_2: vec3<f32> = vec3(0f);
+    var ahead: vec3<f32> = vec3<f32>(0.0621f, 0.2483f, 0.4965f);
+    var width_2: f32;
+    var n: i32 = 0i;
+    var f_2: f32;
     var part_1: f32;
+    width_2 = (0.025878906f * low);
+    loop {
+        let _e21 = n;
+        if !((_e21 < 16i)) {
+            break;
+        }
+        {
+            let _e28 = n;
+            let _e29 = width_2;
+            let _e30 = gabor_impl_step_frequency(_e28, low, _e29);
+            f_2 = _e30;
+            let _e33 = width_2;
+            let _e36 = f_2;
+            let _e37 = gabor_impl_spectrum(_e36, sea);
+            part_1 = (((0.000015258789f * _e33) / whole) * _e37.x);
+            let _e41 = first_1;
+            let _e43 = ahead;
+            let _e44 = part_1;
+            first_1 = (_e41 + (26.5f * clamp((_e43 / vec3(max(_e44, 0.000000001f))), vec3(0f), vec3(1f))));
+            let _e56 = second_2;
+            let _e58 = ahead;
+            let _e64 = part_1;
+            second_2 = (_e56 + (26.5f * clamp(((_e58 + vec3<f32>(0.6827f, 0.6827f, 0.5035f)) / vec3(max(_e64, 0.000000001f))), vec3(0f), vec3(1f))));
+            let _e76 = ahead;
+            let _e77 = part_1;
+            ahead = (_e76 - vec3(_e77));
+        }
+        continuing {
+            let _e25 = n;
+            n = (_e25 + 1i);
+        }
+    }
+    let _e80 = first_1;
+    let _e82 = first_1;
+    let _e83 = _e82.xy;
+    (*early) = (floor((((_e80 - vec3<f32>(0f, _e83.x, _e83.y)) * vec3<f32>(4f, 1.3333333f, 1f)) + vec3(0.5f))) / vec3(256f));
+    let _e100 = second_2;
+    let _e101 = first_1;
+    let _e103 = second_2;
+    let _e104 = _e103.xy;
+    (*late) = (floor((((_e100 - vec3<f32>(_e101.z, _e104.x, _e104.y)) * vec3<f32>(1f, 1.3333333f, 4f)) + vec3(0.5f))) / vec3(256f));
+    let _e121 = (*late);
+    let _e122 = (*early);
+    let _e124 = (*late);
+    let _e125 = _e124.xy;
+    (*late) = (_e121 - vec3<f32>(_e122.z, _e125.x, _e125.y));
+    let _e130 = (*early);
+    let _e132 = (*early);
+    let _e133 = _e132.xy;
+    (*early) = (_e130 - vec3<f32>(0f, _e133.x, _e133.y));
+    return;
+}
+
+fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
+    var direction_1: f32;
+    var ocean: GaborOcean;
+    var local_14: i32;
+    var sea_3: GaborImplJonswap;
+    var octave: i32;
+    var i: i32 = 0i;
+    var local_15: u32;
+    var low_3: f32;
+    var remote_1: bool;
+    var power_3: GaborImplBandPower;
+    var spread: GaborImplBandSpread;
     var band: GaborOceanBand;
     var local_16: f32;
     var local_17: f32;
     var tall: f32;
     var local_18: i32;
     var local_19: i32;
+    var early_1: vec3<f32>;
+    var late_1: vec3<f32>;
     var local_20: f32;
     var speed: f32;
     direction_1 = direction;
     ocean.wind = clamp(wind, 2f, 30f);
-    let _e16 = direction_1;
-    ocean.direction = _e16;
+    let _e12 = direction_1;
+    ocean.direction = _e12;
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
     ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
     if (loop_ > 0i) {
-        local_12 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.0002f))));
+        local_14 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.0002f))));
     } else {
-        local_12 = 0i;
+        local_14 = 0i;
     }
-    let _e48 = local_12;
-    ocean.loop_ = _e48;
-    let _e49 = gravity;
-    let _e50 = ocean;
-    let _e53 = ocean;
-    let _e55 = ocean;
-    reach_1 = min(((_e49 * _e50.fetch) / (_e53.wind * _e55.wind)), 21500f);
-    let _e63 = gravity;
-    let _e65 = ocean;
-    let _e68 = reach_1;
-    peak_1 = (((3.5f * _e63) / _e65.wind) * pow(_e68, -0.33f));
-    let _e75 = reach_1;
-    let _e80 = gravity;
-    let _e82 = gravity;
-    scale_1 = ((((0.076f * pow(_e75, -0.22f)) * _e80) * _e82) / 1558.5455f);
-    let _e90 = peak_1;
-    let _e92 = tick;
-    power_1 = i32(floor(log2(((0.62f * _e90) / _e92))));
-    let _e102 = ocean;
-    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e102.wind) + vec2<f32>(0f, 0.003f));
+    let _e44 = local_14;
+    ocean.loop_ = _e44;
+    let _e49 = ocean;
+    ocean.tail = ((vec2<f32>(0.00316f, 0.00192f) * _e49.wind) + vec2<f32>(0f, 0.003f));
+    let _e56 = ocean;
+    let _e58 = ocean;
+    let _e60 = gabor_impl_wind_waves(_e56.wind, _e58.fetch);
+    sea_3 = _e60;
+    let _e63 = sea_3;
+    octave = i32(floor(log2(((0.62f * _e63.peak) / 0.000015258789f))));
     loop {
-        let _e111 = i;
-        if !((_e111 <= 9i)) {
+        let _e74 = i;
+        if !((_e74 <= 9i)) {
             break;
         }
         {
-            let _e118 = i;
-            if ((_e118 & 1i) == 0i) {
-                local_13 = 128u;
+            let _e81 = i;
+            if ((_e81 & 1i) == 0i) {
+                local_15 = 128u;
             } else {
-                local_13 = 181u;
+                local_15 = 181u;
             }
-            let _e126 = local_13;
-            let _e127 = power_1;
-            let _e128 = i;
-            low = (f32((_e126 << u32((_e127 + (_e128 / 2i))))) / 128f);
-            let _e138 = i;
-            remote = (_e138 == 9i);
-            let _e142 = remote;
-            if _e142 {
+            let _e89 = local_15;
+            let _e90 = octave;
+            let _e91 = i;
+            low_3 = (f32((_e89 << u32((_e90 + (_e91 / 2i))))) / 128f);
+            let _e101 = i;
+            remote_1 = (_e101 == 9i);
+            let _e105 = remote_1;
+            if _e105 {
                 {
-                    let _e144 = ocean;
-                    peak_1 = (1f / _e144.swell.y);
-                    let _e150 = peak_1;
-                    let _e152 = tick;
-                    low = (64f * floor((((0.0132813f * _e150) / _e152) + 0.5f)));
-                    sharp_1 = 2.0794415f;
-                    let _e159 = ocean;
-                    direction_1 = _e159.swell.z;
+                    let _e108 = ocean;
+                    sea_3.peak = (1f / _e108.swell.y);
+                    sea_3.sharp = 2.0794415f;
+                    let _e116 = sea_3;
+                    low_3 = (64f * floor((((0.0132813f * _e116.peak) / 0.000015258789f) + 0.5f)));
+                    let _e125 = ocean;
+                    direction_1 = _e125.swell.z;
                 }
             }
-            let _e163 = low;
-            width = (0.025878906f * _e163);
-            variance = 0f;
-            sum_5 = vec2(0f);
-            fit = vec4(0f);
-            j_1 = 0i;
-            loop {
-                let _e176 = j_1;
-                if !((_e176 < 16i)) {
-                    break;
-                }
-                {
-                    let _e183 = tick;
-                    let _e184 = low;
-                    let _e185 = j_1;
-                    let _e189 = width;
-                    f_1 = (_e183 * (_e184 + ((f32(_e185) + 0.5f) * _e189)));
-                    let _e195 = j_1;
-                    x_5 = ((26.5f * f32(_e195)) - 198.75f);
-                    let _e201 = f_1;
-                    let _e202 = peak_1;
-                    above = (_e201 / _e202);
-                    let _e205 = remote;
-                    if _e205 {
-                        local_15 = 75f;
-                    } else {
-                        let _e208 = above;
-                        let _e209 = above;
-                        if (_e209 < 1f) {
-                            local_14 = 4.06f;
-                        } else {
-                            local_14 = -2.34f;
-                        }
-                        let _e216 = local_14;
-                        local_15 = (9.77f * pow(_e208, _e216));
-                    }
-                    let _e220 = local_15;
-                    s_2 = _e220;
-                    let _e223 = s_2;
-                    here = (0.5f / (_e223 + 1f));
-                    let _e228 = tick;
-                    let _e229 = width;
-                    let _e231 = f_1;
-                    let _e232 = peak_1;
-                    let _e233 = scale_1;
-                    let _e234 = sharp_1;
-                    let _e235 = gabor_impl_spectrum(_e231, _e232, _e233, _e234);
-                    part = ((_e228 * _e229) * _e235);
-                    let _e238 = sum_5;
-                    let _e239 = part;
-                    sum_5 = (_e238 + _e239);
-                    let _e241 = variance;
-                    let _e242 = part;
-                    let _e244 = here;
-                    variance = (_e241 + (_e242.x * _e244));
-                    let _e247 = fit;
-                    let _e248 = part;
-                    let _e250 = x_5;
-                    let _e251 = here;
-                    let _e253 = x_5;
-                    let _e254 = x_5;
-                    let _e256 = x_5;
-                    let _e257 = here;
-                    fit = (_e247 + (_e248.x * vec4<f32>(_e250, sqrt(_e251), (_e253 * _e254), (_e256 * sqrt(_e257)))));
-                }
-                continuing {
-                    let _e180 = j_1;
-                    j_1 = (_e180 + 1i);
-                }
-            }
-            let _e263 = variance;
-            let _e264 = sum_5;
-            variance = (_e263 / _e264.x);
-            let _e267 = fit;
-            let _e268 = sum_5;
-            fit = (_e267 / vec4(_e268.x));
-            let _e272 = variance;
-            deviation = sqrt(_e272);
-            let _e276 = variance;
-            narrow = ((0.5f / _e276) - 1.8f);
-            let _e282 = deviation;
-            let _e284 = narrow;
-            c_1 = ((0.9f * _e282) * clamp(_e284, 0f, 1f));
-            let _e291 = narrow;
-            let _e296 = fit;
-            let _e298 = fit;
-            let _e300 = fit;
-            let _e305 = fit;
-            let _e307 = fit;
-            let _e309 = fit;
-            let _e313 = deviation;
-            widen = ((clamp((0.3f * _e291), 0f, 1f) * (_e296.w - (_e298.x * _e300.y))) / ((_e305.z - (_e307.x * _e309.x)) * _e313));
-            let _e318 = widen;
-            widen = (floor((clamp((16384f * _e318), -32f, 32f) + 0.5f)) / 16384f);
-            let _e332 = widen;
-            let _e336 = fit;
-            let _e338 = widen;
-            most = (1f / ((1f + (212f * abs(_e332))) - (_e336.x * _e338)));
-            let _e344 = deviation;
-            let _e346 = most;
-            let _e347 = c_1;
-            end = min((1.8f * _e344), (_e346 - _e347));
-            let _e351 = variance;
-            let _e352 = c_1;
-            let _e353 = c_1;
-            rest = (_e351 - ((_e352 * _e353) / 3f));
-            let _e360 = rest;
-            let _e363 = end;
-            let _e365 = end;
-            let _e372 = end;
-            a_2 = ((sqrt(max(((0.3047619f * _e360) - ((0.0304762f * _e363) * _e365)), 0f)) - (0.1142857f * _e372)) / 0.152381f);
-            let _e378 = end;
-            let _e379 = a_2;
-            b_2 = (_e378 - _e379);
-            let _e382 = a_2;
-            let _e383 = a_2;
-            let _e385 = a_2;
-            let _e388 = a_2;
-            let _e391 = b_2;
-            let _e395 = b_2;
-            let _e396 = b_2;
-            let _e399 = a_2;
-            let _e401 = a_2;
-            let _e404 = a_2;
-            let _e406 = b_2;
-            let _e410 = b_2;
-            let _e412 = b_2;
-            let _e417 = c_1;
-            let _e418 = c_1;
-            let _e421 = rest;
-            let _e424 = c_1;
-            let _e426 = c_1;
-            fourth_1 = (((((_e382 * _e383) * _e385) * ((0.2f * _e388) + (0.5714286f * _e391))) + ((_e395 * _e396) * ((((0.6666667f * _e399) * _e401) + ((0.36363637f * _e404) * _e406)) + ((0.07692308f * _e410) * _e412)))) + ((_e417 * _e418) * ((2f * _e421) + ((0.2f * _e424) * _e426))));
-            let _e434 = variance;
-            let _e438 = fourth_1;
-            along = ((1f - (4f * _e434)) + (4f * _e438));
-            early = vec3(0f);
-            late = vec3(0f);
-            ahead = vec3<f32>(0.0621f, 0.2483f, 0.4965f);
-            n = 0i;
-            loop {
-                let _e455 = n;
-                if !((_e455 < 16i)) {
-                    break;
-                }
-                {
-                    let _e462 = tick;
-                    let _e463 = width;
-                    let _e465 = sum_5;
-                    let _e468 = tick;
-                    let _e469 = low;
-                    let _e470 = n;
-                    let _e474 = width;
-                    let _e478 = peak_1;
-                    let _e479 = scale_1;
-                    let _e480 = sharp_1;
-                    let _e481 = gabor_impl_spectrum((_e468 * (_e469 + ((f32(_e470) + 0.5f) * _e474))), _e478, _e479, _e480);
-                    part_1 = (((_e462 * _e463) / _e465.x) * _e481.x);
-                    let _e485 = early;
-                    let _e487 = ahead;
-                    let _e488 = part_1;
-                    early = (_e485 + (26.5f * clamp((_e487 / vec3(max(_e488, 0.000000001f))), vec3(0f), vec3(1f))));
-                    let _e500 = late;
-                    let _e502 = ahead;
-                    let _e508 = part_1;
-                    late = (_e500 + (26.5f * clamp(((_e502 + vec3<f32>(0.6827f, 0.6827f, 0.5035f)) / vec3(max(_e508, 0.000000001f))), vec3(0f), vec3(1f))));
-                    let _e520 = ahead;
-                    let _e521 = part_1;
-                    ahead = (_e520 - vec3(_e521));
-                }
-                continuing {
-                    let _e459 = n;
-                    n = (_e459 + 1i);
-                }
-            }
-            let _e525 = remote;
-            if _e525 {
-                let _e527 = ocean;
-                let _e531 = ocean;
-                local_17 = ((0.0625f * _e527.swell.x) * _e531.swell.x);
+            let _e128 = low_3;
+            let _e129 = sea_3;
+            let _e130 = remote_1;
+            let _e131 = gabor_impl_band_power(_e128, _e129, _e130);
+            power_3 = _e131;
+            let _e133 = power_3;
+            let _e134 = gabor_impl_band_spread(_e133);
+            spread = _e134;
+            let _e137 = remote_1;
+            if _e137 {
+                let _e139 = ocean;
+                let _e143 = ocean;
+                local_17 = ((0.0625f * _e139.swell.x) * _e143.swell.x);
             } else {
-                let _e535 = low;
-                if (_e535 > 262144f) {
+                let _e147 = low_3;
+                if (_e147 > 262144f) {
                     local_16 = 0f;
                 } else {
-                    let _e539 = sum_5;
-                    local_16 = _e539.x;
+                    let _e151 = power_3;
+                    local_16 = _e151.sum.x;
                 }
-                let _e542 = local_16;
-                local_17 = _e542;
+                let _e155 = local_16;
+                local_17 = _e155;
             }
-            let _e544 = local_17;
-            tall = _e544;
-            let _e547 = tall;
-            band.amplitude = sqrt(_e547);
-            let _e551 = tall;
-            let _e553 = sum_5;
-            let _e556 = sum_5;
-            let _e559 = along;
-            let _e561 = along;
-            band.slopes = ((((16.195057f * _e551) * _e553.y) / _e556.x) * vec2<f32>(_e559, (1f - _e561)));
-            let _e565 = remote;
-            if !(_e565) {
-                let _e568 = ocean;
-                let _e570 = band;
-                ocean.tail = (_e568.tail - _e570.slopes);
+            let _e157 = local_17;
+            tall = _e157;
+            let _e160 = tall;
+            band.amplitude = sqrt(_e160);
+            let _e164 = tall;
+            let _e166 = power_3;
+            let _e170 = power_3;
+            let _e174 = spread;
+            let _e177 = spread;
+            band.slopes = ((((16.195057f * _e164) * _e166.sum.y) / _e170.sum.x) * vec2<f32>(_e174.along, (1f - _e177.along)));
+            let _e182 = remote_1;
+            if !(_e182) {
+                let _e185 = ocean;
+                let _e187 = band;
+                ocean.tail = (_e185.tail - _e187.slopes);
             }
-            let _e574 = remote;
-            if _e574 {
-                let _e576 = peak_1;
-                let _e577 = peak_1;
-                local_19 = i32(floor(log2((18f / (_e576 * _e577)))));
+            let _e191 = remote_1;
+            if _e191 {
+                let _e193 = sea_3;
+                let _e195 = sea_3;
+                local_19 = i32(floor(log2((18f / (_e193.peak * _e195.peak)))));
             } else {
-                let _e585 = power_1;
-                let _e588 = i;
-                let _e590 = i;
-                let _e593 = i;
-                if ((_e590 > 0i) && (_e593 < 4i)) {
+                let _e204 = octave;
+                let _e207 = i;
+                let _e209 = i;
+                let _e212 = i;
+                if ((_e209 > 0i) && (_e212 < 4i)) {
                     local_18 = 1i;
                 } else {
                     local_18 = -1i;
                 }
-                let _e601 = local_18;
-                local_19 = (((34i - (2i * _e585)) - _e588) + _e601);
+                let _e220 = local_18;
+                local_19 = (((34i - (2i * _e204)) - _e207) + _e220);
             }
-            let _e604 = local_19;
-            band.exponent = _e604;
-            let _e606 = low;
-            band.low = _e606;
-            let _e608 = early;
-            let _e610 = early;
-            let _e611 = _e610.xy;
-            band.early = (floor((((_e608 - vec3<f32>(0f, _e611.x, _e611.y)) * vec3<f32>(4f, 1.3333333f, 1f)) + vec3(0.5f))) / vec3(256f));
-            let _e629 = late;
-            let _e630 = early;
-            let _e632 = late;
-            let _e633 = _e632.xy;
-            band.late = (floor((((_e629 - vec3<f32>(_e630.z, _e633.x, _e633.y)) * vec3<f32>(1f, 1.3333333f, 4f)) + vec3(0.5f))) / vec3(256f));
-            let _e651 = band;
-            let _e653 = band;
-            let _e656 = band;
-            let _e658 = _e656.late.xy;
-            band.late = (_e651.late - vec3<f32>(_e653.early.z, _e658.x, _e658.y));
-            let _e664 = band;
-            let _e667 = band;
-            let _e669 = _e667.early.xy;
-            band.early = (_e664.early - vec3<f32>(0f, _e669.x, _e669.y));
-            let _e676 = a_2;
-            let _e677 = b_2;
-            let _e678 = c_1;
-            band.spread = (floor((511.5f * vec3<f32>(_e676, _e677, _e678))) * vec3<f32>(8f, 0.00390625f, 8f));
-            let _e690 = fit;
-            let _e694 = widen;
-            let _e697 = widen;
-            band.widen = floor((16384f * vec2<f32>((1f - ((_e690.x + 1236f) * _e694)), _e697)));
-            let _e701 = ocean;
-            if (_e701.loop_ > 0i) {
+            let _e223 = local_19;
+            band.exponent = _e223;
+            let _e225 = low_3;
+            band.low = _e225;
+            let _e228 = low_3;
+            let _e229 = power_3;
+            let _e232 = sea_3;
+            gabor_impl_band_knots(_e228, _e229.sum.x, _e232, (&early_1), (&late_1));
+            let _e238 = early_1;
+            band.early = _e238;
+            let _e240 = late_1;
+            band.late = _e240;
+            let _e242 = spread;
+            band.spread = _e242.spread;
+            let _e245 = spread;
+            band.widen = _e245.widen;
+            let _e247 = ocean;
+            if (_e247.loop_ > 0i) {
                 local_20 = 0f;
             } else {
-                let _e707 = gravity;
-                let _e710 = tick;
-                let _e712 = low;
-                let _e717 = band;
-                local_20 = (((32768f * _e707) / (((12.566371f * _e710) * _e712) * 1.1892071f)) * exp2(-(f32(_e717.exponent))));
+                let _e258 = low_3;
+                let _e263 = band;
+                local_20 = ((321454.1f / ((0.0001917476f * _e258) * 1.1892071f)) * exp2(-(f32(_e263.exponent))));
             }
-            let _e724 = local_20;
-            speed = _e724;
-            let _e727 = speed;
-            let _e729 = direction_1;
-            let _e731 = gabor_impl_wave((0.15915494f * _e729));
-            band.drift = vec2<i32>(floor(((_e727 * _e731) + vec2(0.5f))));
-            let _e738 = i;
-            let _e741 = band;
-            ocean.band[_e738] = _e741;
+            let _e270 = local_20;
+            speed = _e270;
+            let _e273 = speed;
+            let _e275 = direction_1;
+            let _e277 = gabor_impl_wave((0.15915494f * _e275));
+            band.drift = vec2<i32>(floor(((_e273 * _e277) + vec2(0.5f))));
+            let _e284 = i;
+            let _e287 = band;
+            ocean.band[_e284] = _e287;
         }
         continuing {
-            let _e115 = i;
-            i = (_e115 + 1i);
+            let _e78 = i;
+            i = (_e78 + 1i);
         }
     }
-    let _e743 = ocean;
-    ocean.tail = max(_e743.tail, vec2(0f));
-    let _e748 = ocean;
-    return _e748;
+    let _e289 = ocean;
+    ocean.tail = max(_e289.tail, vec2(0f));
+    let _e294 = ocean;
+    return _e294;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -508,45 +570,143 @@ fn gabor_ocean(wind: f32) -> GaborOcean {
     return _e6;
 }
 
+// ---- The water -----------------------------------------------------------------------------------------------------
+
+// xx, xy and xx + yy of slopes with these variances along a unit vector and across it.
 fn gabor_impl_slopes_along(variances: vec2<f32>, along: vec2<f32>) -> vec3<f32> {
     let _e11 = ((((variances.x - variances.y) * along.x) * along) + vec2<f32>(variances.y, 0f));
     return vec3<f32>(_e11.x, _e11.y, (variances.x + variances.y));
 }
 
-// Adds a band's four nodes around a point, together, which CPUs do faster. `quantum` is the spacing of frequencies and its inverse,
-// `least` the square of a pixel's shorter side. `squeeze` sums the derivatives of the shift. It and `lost` have xx, xy and xx + yy.
-fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, normal: bool, heading: vec2<f32>, quantum: vec2<f32>, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
-    var scale_2: f32;
-    var half_step: f32;
-    var lowest: f32;
-    var longest: f32;
-    var salt_4: u32;
+// The four nodes of a band around a point, together, which CPUs do faster: south west, south east, north west and
+// north east.
+struct GaborImplOceanNodes {
+    word: vec4<u32>,
+    from_x: vec4<f32>, // offset of the point from the node, in metres
+    from_y: vec4<f32>,
+    window: vec4<f32>, // times the band's amplitude, as are its derivatives
+    window_x: vec4<f32>,
+    window_y: vec4<f32>,
+}
+
+fn gabor_impl_ocean_nodes(band: GaborOceanBand, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, salt: u32) -> GaborImplOceanNodes {
     var drifted: vec2<i32>;
     var up: i32;
     var down: i32;
     var spacing: f32;
     var rest_1: vec2<f32>;
-    var first_1: vec2<f32>;
+    var first_2: vec2<f32>;
     var offset: vec2<f32>;
     var node: vec2<i32>;
     var middle: vec2<f32>;
     var fourth_2: vec2<f32>;
     var turns: vec2<f32>;
+    var slope_6: vec2<f32>;
     var turn_x: vec2<f32>;
     var turn_y: vec2<f32>;
-    var slope_6: vec2<f32>;
     var along_x_1: vec4<f32>;
     var along_y_1: vec4<f32>;
-    var window: vec4<f32>;
-    var window_x: vec4<f32>;
-    var window_y: vec4<f32>;
-    var from_x: vec4<f32>;
-    var from_y: vec4<f32>;
     var west: u32;
     var east: u32;
     var south: u32;
     var north: u32;
-    var word_5: vec4<u32>;
+    drifted = ((second & 32767i) * band.drift);
+    up = max(band.exponent, 0i);
+    down = max(-(band.exponent), 0i);
+    spacing = exp2(f32(band.exponent));
+    let _e25 = up;
+    let _e35 = spacing;
+    let _e38 = drifted;
+    rest_1 = (((((vec2<f32>((cell & vec2((i32((1u << u32(_e25))) - 1i)))) + local) / vec2(_e35)) - (vec2<f32>((_e38 & vec2(32767i))) / vec2(32768f))) - ((fraction / 32768f) * vec2<f32>(band.drift))) + (vec2<f32>(f32((salt & 65535u)), f32((salt >> 16u))) / vec2(65536f)));
+    let _e65 = rest_1;
+    first_2 = floor(_e65);
+    let _e68 = rest_1;
+    let _e69 = first_2;
+    offset = clamp((_e68 - _e69), vec2(0f), vec2(1f));
+    let _e77 = up;
+    let _e81 = down;
+    let _e91 = drifted;
+    let _e97 = first_2;
+    node = (((((cell >> vec2(u32(_e77))) << vec2(u32(_e81))) - ((second >> 15u) * band.drift)) - (_e91 >> vec2(15u))) + vec2<i32>(_e97));
+    let _e102 = offset;
+    middle = ((2f * _e102) - vec2(1f));
+    let _e108 = middle;
+    let _e109 = middle;
+    let _e111 = middle;
+    let _e113 = middle;
+    fourth_2 = (((_e108 * _e109) * _e111) * _e113);
+    let _e117 = middle;
+    let _e120 = fourth_2;
+    turns = (vec2(0.125f) + (_e117 * (vec2(0.15625f) - (0.03125f * _e120))));
+    let _e129 = spacing;
+    let _e132 = fourth_2;
+    slope_6 = ((1.9634954f / _e129) * (vec2(1f) - _e132));
+    let _e138 = turns;
+    let _e140 = gabor_impl_half_turn(_e138.x);
+    turn_x = (band.amplitude * _e140);
+    let _e143 = turns;
+    let _e145 = gabor_impl_half_turn(_e143.y);
+    turn_y = _e145;
+    let _e147 = turn_x;
+    let _e148 = turn_x;
+    along_x_1 = vec4<f32>(_e147.x, _e147.y, _e148.x, _e148.y);
+    let _e155 = turn_y;
+    let _e156 = _e155.xx;
+    let _e157 = turn_y;
+    let _e158 = _e157.yy;
+    along_y_1 = vec4<f32>(_e156.x, _e156.y, _e158.x, _e158.y);
+    let _e165 = node;
+    let _e167 = gabor_impl_line_word(_e165.x, salt);
+    west = _e167;
+    let _e169 = node;
+    let _e173 = gabor_impl_line_word((_e169.x + 1i), salt);
+    east = _e173;
+    let _e175 = node;
+    let _e179 = gabor_impl_line_word(_e175.y, (salt ^ 1540483477u));
+    south = _e179;
+    let _e181 = node;
+    let _e187 = gabor_impl_line_word((_e181.y + 1i), (salt ^ 1540483477u));
+    north = _e187;
+    let _e189 = south;
+    let _e190 = west;
+    let _e192 = south;
+    let _e193 = east;
+    let _e195 = north;
+    let _e196 = west;
+    let _e198 = north;
+    let _e199 = east;
+    let _e202 = spacing;
+    let _e203 = offset;
+    let _e213 = spacing;
+    let _e214 = offset;
+    let _e224 = along_x_1;
+    let _e225 = along_y_1;
+    let _e227 = slope_6;
+    let _e229 = turn_x;
+    let _e232 = turn_x;
+    let _e234 = turn_x;
+    let _e237 = turn_x;
+    let _e241 = along_y_1;
+    let _e243 = slope_6;
+    let _e245 = turn_y;
+    let _e247 = -(_e245.yy);
+    let _e248 = turn_y;
+    let _e249 = _e248.xx;
+    let _e256 = along_x_1;
+    return GaborImplOceanNodes(vec4<u32>((_e189 * _e190), (_e192 * _e193), (_e195 * _e196), (_e198 * _e199)), (_e202 * (vec4(_e203.x) - vec4<f32>(0f, 1f, 0f, 1f))), (_e213 * (vec4(_e214.y) - vec4<f32>(0f, 0f, 1f, 1f))), (_e224 * _e225), ((_e227.x * vec4<f32>(-(_e229.y), _e232.x, -(_e234.y), _e237.x)) * _e241), ((_e243.y * vec4<f32>(_e247.x, _e247.y, _e249.x, _e249.y)) * _e256));
+}
+
+// The waves of four nodes.
+struct GaborImplOceanWaves {
+    turning: vec4<f32>, // F - k.V, in quanta of frequency
+    k: vec4<f32>, // wave number, 2 pi over the wavelength in metres
+    heading_x: vec4<f32>,
+    heading_y: vec4<f32>,
+}
+
+// `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d.
+// `turning` is F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
+fn gabor_impl_ocean_waves(band: GaborOceanBand, word: vec4<u32>, normal: bool, heading: vec2<f32>, quantum: f32, scale: f32, half_step: f32) -> GaborImplOceanWaves {
     var bits: vec4<u32>;
     var share: vec4<f32>;
     var u_1: vec4<f32>;
@@ -566,6 +726,91 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     var chord: vec4<f32>;
     var cosine: vec4<f32>;
     var sine: vec4<f32>;
+    bits = ((word ^ (word >> vec4(15u))) * 3545902487u);
+    let _e14 = bits;
+    let _e15 = bits;
+    bits = (_e14 ^ (_e15 >> vec4(15u)));
+    let _e20 = bits;
+    share = vec4<f32>((_e20 >> vec4(22u)));
+    let _e26 = bits;
+    u_1 = vec4<f32>((vec4<i32>((_e26 << vec4(10u))) >> vec4(21u)));
+    let _e37 = bits;
+    w = vec4<f32>((vec4<i32>((_e37 << vec4(21u))) >> vec4(21u)));
+    let _e51 = share;
+    let _e57 = share;
+    let _e68 = share;
+    let _e79 = share;
+    let _e90 = share;
+    let _e101 = share;
+    rise = trunc(((((((vec4(1024f) + (band.early.x * _e51)) + (band.early.y * max((_e57 - vec4(64f)), vec4(0f)))) + (band.early.z * max((_e68 - vec4(256f)), vec4(0f)))) + (band.late.x * max((_e79 - vec4(512f)), vec4(0f)))) + (band.late.y * max((_e90 - vec4(768f)), vec4(0f)))) + (band.late.z * max((_e101 - vec4(960f)), vec4(0f)))));
+    let _e117 = u_1;
+    let _e119 = u_1;
+    bent = trunc((vec4(band.spread.x) + (band.spread.y * trunc(((0.001953125f * _e117) * _e119)))));
+    let _e128 = u_1;
+    let _e129 = bent;
+    let _e131 = w;
+    let _e142 = rise;
+    angle = (trunc((0.00024414063f * ((_e128 * _e129) + (_e131 * band.spread.z)))) * (vec4(band.widen.x) + (band.widen.y * _e142)));
+    let _e149 = angle;
+    part_2 = trunc((0.00012207031f * _e149));
+    let _e154 = part_2;
+    let _e156 = part_2;
+    lag = trunc(((0.00048828125f * _e154) * _e156));
+    let _e161 = rise;
+    let _e163 = rise;
+    steep = trunc(((0.0009765625f * _e161) * _e163));
+    let _e167 = steep;
+    let _e169 = steep;
+    let _e171 = lag;
+    carried = (_e167 - trunc(((0.0009765625f * _e169) * _e171)));
+    let _e176 = rise;
+    count = trunc(((scale * _e176) + vec4(half_step)));
+    let _e182 = count;
+    if (quantum > 1f) {
+        local_22 = 0f;
+    } else {
+        local_22 = (band.low / 16384f);
+    }
+    let _e191 = local_22;
+    let _e193 = carried;
+    turning = ((quantum * _e182) - trunc((_e191 * trunc((6.7265625f * _e193)))));
+    if normal {
+        local_23 = 0.9986f;
+    } else {
+        local_23 = 0.978f;
+    }
+    let _e203 = local_23;
+    let _e208 = count;
+    let _e210 = count;
+    k = (((((_e203 * 0.000000000937f) * quantum) * quantum) * _e208) * _e210);
+    let _e214 = angle;
+    chord = (0.00000011920929f * _e214);
+    let _e219 = chord;
+    let _e221 = chord;
+    cosine = (vec4(1f) - ((0.5f * _e219) * _e221));
+    let _e226 = chord;
+    let _e229 = chord;
+    let _e231 = chord;
+    sine = (_e226 * sqrt((vec4(1f) - ((0.25f * _e229) * _e231))));
+    let _e238 = turning;
+    let _e239 = k;
+    let _e241 = cosine;
+    let _e244 = sine;
+    let _e248 = cosine;
+    let _e251 = sine;
+    return GaborImplOceanWaves(_e238, _e239, ((heading.x * _e241) - (heading.y * _e244)), ((heading.y * _e248) + (heading.x * _e251)));
+}
+
+// Adds a band's four nodes around a point. `quantum` is the spacing of frequencies and its inverse, `least` the square
+// of a pixel's shorter side. `squeeze` sums the derivatives of the shift. It and `lost` have xx, xy and xx + yy.
+fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3<f32>>, band: GaborOceanBand, normal: bool, heading: vec2<f32>, quantum: vec2<f32>, least: f32, cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, seed: u32) {
+    var scale_2: f32;
+    var half_step_1: f32;
+    var lowest: f32;
+    var longest: f32;
+    var nodes_1: GaborImplOceanNodes;
+    var waves: GaborImplOceanWaves;
+    var k_1: vec4<f32>;
     var x_6: vec4<f32>;
     var y_4: vec4<f32>;
     var ticks: vec4<u32>;
@@ -574,23 +819,23 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     var b_3: vec2<f32>;
     var c_2: vec2<f32>;
     var d: vec2<f32>;
-    var square: vec4<f32>;
     var steps_x: vec4<f32>;
     var steps_y: vec4<f32>;
     var kept: vec4<f32>;
+    var square: vec4<f32>;
     var amplitude_2: vec4<f32>;
-    var local_24: vec4<f32>;
+    var local_25: vec4<f32>;
     var height: vec4<f32>;
-    var along_2: vec4<f32>;
+    var along_1: vec4<f32>;
     var steepness: vec4<f32>;
     var squeezed: vec4<f32>;
-    var local_25: f32;
+    var local_26: f32;
     var lost: vec4<f32>;
     scale_2 = ((0.0009765625f * band.low) * quantum.y);
     let _e23 = scale_2;
-    half_step = max(0.5f, (1f - (1024f * _e23)));
+    half_step_1 = max(0.5f, (1f - (1024f * _e23)));
     let _e30 = scale_2;
-    let _e32 = half_step;
+    let _e32 = half_step_1;
     lowest = (quantum.x * floor(((1024f * _e30) + _e32)));
     let _e38 = lowest;
     let _e40 = lowest;
@@ -606,335 +851,176 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
         }
     }
     let _e59 = gabor_impl_salt(seed);
-    salt_4 = _e59;
-    drifted = ((second & 32767i) * band.drift);
-    up = max(band.exponent, 0i);
-    down = max(-(band.exponent), 0i);
-    spacing = exp2(f32(band.exponent));
-    let _e80 = up;
-    let _e90 = spacing;
-    let _e93 = drifted;
-    let _e108 = salt_4;
-    let _e112 = salt_4;
-    rest_1 = (((((vec2<f32>((cell & vec2((i32((1u << u32(_e80))) - 1i)))) + local) / vec2(_e90)) - (vec2<f32>((_e93 & vec2(32767i))) / vec2(32768f))) - ((fraction / 32768f) * vec2<f32>(band.drift))) + (vec2<f32>(f32((_e108 & 65535u)), f32((_e112 >> 16u))) / vec2(65536f)));
-    let _e122 = rest_1;
-    first_1 = floor(_e122);
-    let _e125 = rest_1;
-    let _e126 = first_1;
-    offset = clamp((_e125 - _e126), vec2(0f), vec2(1f));
-    let _e134 = up;
-    let _e138 = down;
-    let _e148 = drifted;
-    let _e154 = first_1;
-    node = (((((cell >> vec2(u32(_e134))) << vec2(u32(_e138))) - ((second >> 15u) * band.drift)) - (_e148 >> vec2(15u))) + vec2<i32>(_e154));
-    let _e159 = offset;
-    middle = ((2f * _e159) - vec2(1f));
-    let _e165 = middle;
-    let _e166 = middle;
-    let _e168 = middle;
-    let _e170 = middle;
-    fourth_2 = (((_e165 * _e166) * _e168) * _e170);
-    let _e174 = middle;
-    let _e177 = fourth_2;
-    turns = (vec2(0.125f) + (_e174 * (vec2(0.15625f) - (0.03125f * _e177))));
-    let _e186 = turns;
-    let _e188 = gabor_impl_half_turn(_e186.x);
-    turn_x = (band.amplitude * _e188);
-    let _e191 = turns;
-    let _e193 = gabor_impl_half_turn(_e191.y);
-    turn_y = _e193;
-    let _e196 = spacing;
-    let _e199 = fourth_2;
-    slope_6 = ((1.9634954f / _e196) * (vec2(1f) - _e199));
-    let _e204 = turn_x;
-    let _e205 = turn_x;
-    along_x_1 = vec4<f32>(_e204.x, _e204.y, _e205.x, _e205.y);
-    let _e212 = turn_y;
-    let _e213 = _e212.xx;
-    let _e214 = turn_y;
-    let _e215 = _e214.yy;
-    along_y_1 = vec4<f32>(_e213.x, _e213.y, _e215.x, _e215.y);
-    let _e222 = along_x_1;
-    let _e223 = along_y_1;
-    window = (_e222 * _e223);
-    let _e226 = slope_6;
-    let _e228 = turn_x;
-    let _e231 = turn_x;
-    let _e233 = turn_x;
-    let _e236 = turn_x;
-    let _e240 = along_y_1;
-    window_x = ((_e226.x * vec4<f32>(-(_e228.y), _e231.x, -(_e233.y), _e236.x)) * _e240);
-    let _e243 = slope_6;
-    let _e245 = turn_y;
-    let _e247 = -(_e245.yy);
-    let _e248 = turn_y;
-    let _e249 = _e248.xx;
-    let _e256 = along_x_1;
-    window_y = ((_e243.y * vec4<f32>(_e247.x, _e247.y, _e249.x, _e249.y)) * _e256);
-    let _e259 = spacing;
-    let _e260 = offset;
-    from_x = (_e259 * (vec4(_e260.x) - vec4<f32>(0f, 1f, 0f, 1f)));
-    let _e271 = spacing;
-    let _e272 = offset;
-    from_y = (_e271 * (vec4(_e272.y) - vec4<f32>(0f, 0f, 1f, 1f)));
-    let _e283 = node;
-    let _e285 = salt_4;
-    let _e286 = gabor_impl_line_word(_e283.x, _e285);
-    west = _e286;
-    let _e288 = node;
-    let _e292 = salt_4;
-    let _e293 = gabor_impl_line_word((_e288.x + 1i), _e292);
-    east = _e293;
-    let _e295 = node;
-    let _e297 = salt_4;
-    let _e300 = gabor_impl_line_word(_e295.y, (_e297 ^ 1540483477u));
-    south = _e300;
-    let _e302 = node;
-    let _e306 = salt_4;
-    let _e309 = gabor_impl_line_word((_e302.y + 1i), (_e306 ^ 1540483477u));
-    north = _e309;
-    let _e311 = south;
-    let _e312 = west;
-    let _e314 = south;
-    let _e315 = east;
-    let _e317 = north;
-    let _e318 = west;
-    let _e320 = north;
-    let _e321 = east;
-    word_5 = vec4<u32>((_e311 * _e312), (_e314 * _e315), (_e317 * _e318), (_e320 * _e321));
-    let _e325 = word_5;
-    let _e326 = word_5;
-    bits = ((_e325 ^ (_e326 >> vec4(15u))) * 3545902487u);
-    let _e334 = bits;
-    let _e335 = bits;
-    bits = (_e334 ^ (_e335 >> vec4(15u)));
-    let _e340 = bits;
-    share = vec4<f32>((_e340 >> vec4(22u)));
-    let _e346 = bits;
-    u_1 = vec4<f32>((vec4<i32>((_e346 << vec4(10u))) >> vec4(21u)));
-    let _e357 = bits;
-    w = vec4<f32>((vec4<i32>((_e357 << vec4(21u))) >> vec4(21u)));
-    let _e371 = share;
-    let _e377 = share;
-    let _e388 = share;
-    let _e399 = share;
-    let _e410 = share;
-    let _e421 = share;
-    rise = trunc(((((((vec4(1024f) + (band.early.x * _e371)) + (band.early.y * max((_e377 - vec4(64f)), vec4(0f)))) + (band.early.z * max((_e388 - vec4(256f)), vec4(0f)))) + (band.late.x * max((_e399 - vec4(512f)), vec4(0f)))) + (band.late.y * max((_e410 - vec4(768f)), vec4(0f)))) + (band.late.z * max((_e421 - vec4(960f)), vec4(0f)))));
-    let _e437 = u_1;
-    let _e439 = u_1;
-    bent = trunc((vec4(band.spread.x) + (band.spread.y * trunc(((0.001953125f * _e437) * _e439)))));
-    let _e448 = u_1;
-    let _e449 = bent;
-    let _e451 = w;
-    let _e462 = rise;
-    angle = (trunc((0.00024414063f * ((_e448 * _e449) + (_e451 * band.spread.z)))) * (vec4(band.widen.x) + (band.widen.y * _e462)));
-    let _e469 = angle;
-    part_2 = trunc((0.00012207031f * _e469));
-    let _e474 = part_2;
-    let _e476 = part_2;
-    lag = trunc(((0.00048828125f * _e474) * _e476));
-    let _e481 = rise;
-    let _e483 = rise;
-    steep = trunc(((0.0009765625f * _e481) * _e483));
-    let _e487 = steep;
-    let _e489 = steep;
-    let _e491 = lag;
-    carried = (_e487 - trunc(((0.0009765625f * _e489) * _e491)));
-    let _e496 = scale_2;
-    let _e497 = rise;
-    let _e499 = half_step;
-    count = trunc(((_e496 * _e497) + vec4(_e499)));
-    let _e505 = count;
-    if (quantum.x > 1f) {
-        local_22 = 0f;
-    } else {
-        local_22 = (band.low / 16384f);
-    }
-    let _e515 = local_22;
-    let _e517 = carried;
-    turning = ((quantum.x * _e505) - trunc((_e515 * trunc((6.7265625f * _e517)))));
+    let _e60 = gabor_impl_ocean_nodes(band, cell, local, second, fraction, _e59);
+    nodes_1 = _e60;
+    let _e62 = nodes_1;
+    let _e65 = scale_2;
+    let _e66 = half_step_1;
+    let _e67 = gabor_impl_ocean_waves(band, _e62.word, normal, heading, quantum.x, _e65, _e66);
+    waves = _e67;
+    let _e69 = waves;
+    k_1 = _e69.k;
+    let _e72 = waves;
+    x_6 = _e72.heading_x;
+    let _e75 = waves;
+    y_4 = _e75.heading_y;
+    let _e78 = waves;
+    let _e84 = nodes_1;
+    ticks = (((vec4<u32>(vec4<i32>(_e78.turning)) * u32(second)) + (_e84.word >> vec4(16u))) & vec4(65535u));
+    let _e95 = k_1;
+    let _e97 = x_6;
+    let _e98 = nodes_1;
+    let _e101 = y_4;
+    let _e102 = nodes_1;
+    let _e108 = ticks;
+    let _e110 = waves;
+    phase_1 = (((0.15915494f * _e95) * ((_e97 * _e98.from_x) + (_e101 * _e102.from_y))) - (0.000015258789f * (vec4<f32>(_e108) + (_e110.turning * fraction))));
+    let _e117 = phase_1;
+    let _e119 = gabor_impl_wave(_e117.x);
+    a_3 = _e119;
+    let _e121 = phase_1;
+    let _e123 = gabor_impl_wave(_e121.y);
+    b_3 = _e123;
+    let _e125 = phase_1;
+    let _e127 = gabor_impl_wave(_e125.z);
+    c_2 = _e127;
+    let _e129 = phase_1;
+    let _e131 = gabor_impl_wave(_e129.w);
+    d = _e131;
+    let _e133 = k_1;
+    let _e134 = x_6;
+    let _e137 = y_4;
+    steps_x = (_e133 * ((_e134 * dx.x) + (_e137 * dx.y)));
+    let _e143 = k_1;
+    let _e144 = x_6;
+    let _e147 = y_4;
+    steps_y = (_e143 * ((_e144 * dy.x) + (_e147 * dy.y)));
+    let _e155 = steps_x;
+    let _e156 = steps_x;
+    let _e158 = steps_y;
+    let _e159 = steps_y;
+    kept = exp((-0.125f * ((_e155 * _e156) + (_e158 * _e159))));
+    let _e166 = nodes_1;
+    square = (0.000015258789f * vec4<f32>((_e166.word & vec4(65535u))));
+    let _e174 = kept;
+    let _e175 = square;
+    amplitude_2 = (_e174 * sqrt(_e175));
+    let _e179 = amplitude_2;
     if normal {
-        local_23 = 0.9986f;
+        let _e182 = square;
+        let _e188 = square;
+        local_25 = ((vec4(1.3034767f) + (0.3870924f * _e182)) + (vec4(0.0960481f) / (vec4(1.0580432f) - _e188)));
     } else {
-        local_23 = 0.978f;
+        local_25 = vec4(2f);
     }
-    let _e527 = local_23;
-    let _e534 = count;
-    let _e536 = count;
-    k = (((((_e527 * 0.000000000937f) * quantum.x) * quantum.x) * _e534) * _e536);
-    let _e540 = angle;
-    chord = (0.00000011920929f * _e540);
-    let _e545 = chord;
-    let _e547 = chord;
-    cosine = (vec4(1f) - ((0.5f * _e545) * _e547));
-    let _e552 = chord;
-    let _e555 = chord;
-    let _e557 = chord;
-    sine = (_e552 * sqrt((vec4(1f) - ((0.25f * _e555) * _e557))));
-    let _e565 = cosine;
-    let _e568 = sine;
-    x_6 = ((heading.x * _e565) - (heading.y * _e568));
-    let _e573 = cosine;
-    let _e576 = sine;
-    y_4 = ((heading.y * _e573) + (heading.x * _e576));
-    let _e580 = turning;
-    let _e585 = word_5;
-    ticks = (((vec4<u32>(vec4<i32>(_e580)) * u32(second)) + (_e585 >> vec4(16u))) & vec4(65535u));
-    let _e595 = k;
-    let _e597 = x_6;
-    let _e598 = from_x;
-    let _e600 = y_4;
-    let _e601 = from_y;
-    let _e606 = ticks;
-    let _e608 = turning;
-    phase_1 = (((0.15915494f * _e595) * ((_e597 * _e598) + (_e600 * _e601))) - (0.000015258789f * (vec4<f32>(_e606) + (_e608 * fraction))));
-    let _e614 = phase_1;
-    let _e616 = gabor_impl_wave(_e614.x);
-    a_3 = _e616;
-    let _e618 = phase_1;
-    let _e620 = gabor_impl_wave(_e618.y);
-    b_3 = _e620;
-    let _e622 = phase_1;
-    let _e624 = gabor_impl_wave(_e622.z);
-    c_2 = _e624;
-    let _e626 = phase_1;
-    let _e628 = gabor_impl_wave(_e626.w);
-    d = _e628;
-    let _e631 = word_5;
-    square = (0.000015258789f * vec4<f32>((_e631 & vec4(65535u))));
-    let _e638 = k;
-    let _e639 = x_6;
-    let _e642 = y_4;
-    steps_x = (_e638 * ((_e639 * dx.x) + (_e642 * dx.y)));
-    let _e648 = k;
-    let _e649 = x_6;
-    let _e652 = y_4;
-    steps_y = (_e648 * ((_e649 * dy.x) + (_e652 * dy.y)));
-    let _e660 = steps_x;
-    let _e661 = steps_x;
-    let _e663 = steps_y;
-    let _e664 = steps_y;
-    kept = exp((-0.125f * ((_e660 * _e661) + (_e663 * _e664))));
-    let _e670 = kept;
-    let _e671 = square;
-    amplitude_2 = (_e670 * sqrt(_e671));
-    let _e675 = amplitude_2;
+    let _e197 = local_25;
+    amplitude_2 = (_e179 * _e197);
+    let _e199 = amplitude_2;
+    let _e200 = a_3;
+    let _e202 = b_3;
+    let _e204 = c_2;
+    let _e206 = d;
+    height = (_e199 * vec4<f32>(_e200.y, _e202.y, _e204.y, _e206.y));
+    let _e211 = nodes_1;
+    let _e213 = amplitude_2;
+    let _e215 = a_3;
+    let _e217 = b_3;
+    let _e219 = c_2;
+    let _e221 = d;
+    along_1 = ((_e211.window * _e213) * vec4<f32>(_e215.x, _e217.x, _e219.x, _e221.x));
+    let _e227 = (*sum);
+    let _e229 = height;
+    let _e230 = nodes_1;
+    let _e233 = height;
+    let _e234 = nodes_1;
+    (*sum).slope = (_e227.slope + vec2<f32>(dot(_e229, _e230.window_x), dot(_e233, _e234.window_y)));
+    let _e239 = height;
+    let _e240 = nodes_1;
+    height = (_e239 * _e240.window);
+    let _e243 = k_1;
+    let _e244 = along_1;
+    steepness = (_e243 * _e244);
+    let _e247 = k_1;
+    let _e248 = height;
+    squeezed = (_e247 * _e248);
     if normal {
-        let _e678 = square;
-        let _e684 = square;
-        local_24 = ((vec4(1.3034767f) + (0.3870924f * _e678)) + (vec4(0.0960481f) / (vec4(1.0580432f) - _e684)));
+        local_26 = 1.003f;
     } else {
-        local_24 = vec4(2f);
+        local_26 = 1.048f;
     }
-    let _e693 = local_24;
-    amplitude_2 = (_e675 * _e693);
-    let _e695 = amplitude_2;
-    let _e696 = a_3;
-    let _e698 = b_3;
-    let _e700 = c_2;
-    let _e702 = d;
-    height = (_e695 * vec4<f32>(_e696.y, _e698.y, _e700.y, _e702.y));
-    let _e707 = window;
-    let _e708 = amplitude_2;
-    let _e710 = a_3;
-    let _e712 = b_3;
-    let _e714 = c_2;
-    let _e716 = d;
-    along_2 = ((_e707 * _e708) * vec4<f32>(_e710.x, _e712.x, _e714.x, _e716.x));
-    let _e722 = (*sum);
-    let _e724 = height;
-    let _e725 = window_x;
-    let _e727 = height;
-    let _e728 = window_y;
-    (*sum).slope = (_e722.slope + vec2<f32>(dot(_e724, _e725), dot(_e727, _e728)));
-    let _e732 = height;
-    let _e733 = window;
-    height = (_e732 * _e733);
-    let _e735 = k;
-    let _e736 = along_2;
-    steepness = (_e735 * _e736);
-    let _e739 = k;
-    let _e740 = height;
-    squeezed = (_e739 * _e740);
-    if normal {
-        local_25 = 1.003f;
-    } else {
-        local_25 = 1.048f;
-    }
-    let _e746 = local_25;
-    let _e747 = window;
-    let _e749 = window;
-    let _e751 = k;
-    let _e753 = k;
-    let _e756 = kept;
-    let _e757 = kept;
-    lost = (((((_e746 * _e747) * _e749) * _e751) * _e753) * (vec4(1f) - (_e756 * _e757)));
-    let _e764 = (*sum);
-    let _e766 = height;
-    (*sum).height = (_e764.height + dot(_e766, vec4(1f)));
-    let _e772 = (*sum);
-    let _e774 = steepness;
-    let _e775 = x_6;
-    let _e777 = steepness;
-    let _e778 = y_4;
-    (*sum).slope = (_e772.slope + vec2<f32>(dot(_e774, _e775), dot(_e777, _e778)));
-    let _e783 = (*sum);
-    let _e785 = along_2;
-    let _e786 = x_6;
-    let _e788 = along_2;
-    let _e789 = y_4;
-    (*sum).shift = (_e783.shift + vec2<f32>(dot(_e785, _e786), dot(_e788, _e789)));
-    let _e793 = (*squeeze);
-    let _e794 = squeezed;
-    let _e795 = x_6;
-    let _e796 = x_6;
-    let _e799 = squeezed;
-    let _e800 = x_6;
-    let _e801 = y_4;
-    let _e804 = squeezed;
-    (*squeeze) = (_e793 + vec3<f32>(dot(_e794, (_e795 * _e796)), dot(_e799, (_e800 * _e801)), dot(_e804, vec4(1f))));
-    let _e811 = (*sum);
-    let _e813 = lost;
-    let _e814 = x_6;
-    let _e815 = x_6;
-    let _e818 = lost;
-    let _e819 = x_6;
-    let _e820 = y_4;
-    let _e823 = lost;
-    (*sum).lost = (_e811.lost + vec3<f32>(dot(_e813, (_e814 * _e815)), dot(_e818, (_e819 * _e820)), dot(_e823, vec4(1f))));
+    let _e254 = local_26;
+    let _e255 = nodes_1;
+    let _e258 = nodes_1;
+    let _e261 = k_1;
+    let _e263 = k_1;
+    let _e266 = kept;
+    let _e267 = kept;
+    lost = (((((_e254 * _e255.window) * _e258.window) * _e261) * _e263) * (vec4(1f) - (_e266 * _e267)));
+    let _e274 = (*sum);
+    let _e276 = height;
+    (*sum).height = (_e274.height + dot(_e276, vec4(1f)));
+    let _e282 = (*sum);
+    let _e284 = steepness;
+    let _e285 = x_6;
+    let _e287 = steepness;
+    let _e288 = y_4;
+    (*sum).slope = (_e282.slope + vec2<f32>(dot(_e284, _e285), dot(_e287, _e288)));
+    let _e293 = (*sum);
+    let _e295 = along_1;
+    let _e296 = x_6;
+    let _e298 = along_1;
+    let _e299 = y_4;
+    (*sum).shift = (_e293.shift + vec2<f32>(dot(_e295, _e296), dot(_e298, _e299)));
+    let _e303 = (*squeeze);
+    let _e304 = squeezed;
+    let _e305 = x_6;
+    let _e306 = x_6;
+    let _e309 = squeezed;
+    let _e310 = x_6;
+    let _e311 = y_4;
+    let _e314 = squeezed;
+    (*squeeze) = (_e303 + vec3<f32>(dot(_e304, (_e305 * _e306)), dot(_e309, (_e310 * _e311)), dot(_e314, vec4(1f))));
+    let _e321 = (*sum);
+    let _e323 = lost;
+    let _e324 = x_6;
+    let _e325 = x_6;
+    let _e328 = lost;
+    let _e329 = x_6;
+    let _e330 = y_4;
+    let _e333 = lost;
+    (*sum).lost = (_e321.lost + vec3<f32>(dot(_e323, (_e324 * _e325)), dot(_e328, (_e329 * _e330)), dot(_e333, vec4(1f))));
     return;
 }
 
 fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var wind_2: vec2<f32>;
+    var wind_3: vec2<f32>;
     var swell_1: vec2<f32>;
     var water: GaborWater;
     var squeeze_1: vec3<f32> = vec3(0f);
-    var local_27: vec2<f32>;
-    var quantum_1: vec2<f32>;
+    var local_28: vec2<f32>;
+    var quantum_2: vec2<f32>;
     var area: f32;
     var sides: f32;
     var least_1: f32;
     var i_1: i32 = 0i;
-    var local_28: i32;
-    var remote_1: bool;
-    var local_29: vec2<f32>;
-    var local_30: i32;
+    var local_29: i32;
+    var remote_2: bool;
+    var local_30: vec2<f32>;
+    var local_31: i32;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
-    wind_2 = _e11;
+    wind_3 = _e11;
     let _e17 = gabor_impl_wave((0.15915494f * ocean.swell.z));
     swell_1 = _e17;
-    let _e26 = wind_2;
+    let _e26 = wind_3;
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
     water = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
     if (ocean.loop_ > 0i) {
-        local_27 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
+        local_28 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
     } else {
-        local_27 = vec2(1f);
+        local_28 = vec2(1f);
     }
-    let _e50 = local_27;
-    quantum_1 = _e50;
+    let _e50 = local_28;
+    quantum_2 = _e50;
     area = ((dx.x * dy.y) - (dx.y * dy.x));
     sides = (dot(dx, dx) + dot(dy, dy));
     let _e65 = area;
@@ -948,40 +1034,40 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     loop {
         let _e89 = i_1;
         if (ocean.swell.x > 0f) {
-            local_28 = 10i;
+            local_29 = 10i;
         } else {
-            local_28 = 9i;
+            local_29 = 9i;
         }
-        let _e99 = local_28;
+        let _e99 = local_29;
         if !((_e89 < _e99)) {
             break;
         }
         {
             let _e105 = i_1;
-            remote_1 = (_e105 == 9i);
+            remote_2 = (_e105 == 9i);
             let _e111 = i_1;
-            let _e114 = remote_1;
+            let _e114 = remote_2;
             let _e115 = i_1;
             let _e118 = i_1;
-            let _e123 = remote_1;
+            let _e123 = remote_2;
             if _e123 {
                 let _e124 = swell_1;
-                local_29 = _e124;
+                local_30 = _e124;
             } else {
-                let _e125 = wind_2;
-                local_29 = _e125;
+                let _e125 = wind_3;
+                local_30 = _e125;
             }
-            let _e127 = local_29;
-            let _e128 = quantum_1;
+            let _e127 = local_30;
+            let _e128 = quantum_2;
             let _e129 = least_1;
-            let _e130 = remote_1;
+            let _e130 = remote_2;
             if _e130 {
-                local_30 = 12i;
+                local_31 = 12i;
             } else {
                 let _e132 = i_1;
-                local_30 = _e132;
+                local_31 = _e132;
             }
-            let _e134 = local_30;
+            let _e134 = local_31;
             let _e135 = gabor_lobe_seed(seed, _e134);
             gabor_impl_add_band((&water), (&squeeze_1), ocean.band[_e111], (_e114 || ((_e115 > 0i) && (_e118 < 4i))), _e127, _e128, _e129, cell, local, second, fraction, dx, dy, _e135);
         }
@@ -1006,14 +1092,14 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
 }
 
 fn gabor_water_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> GaborWater {
-    var cell_4: vec2<f32>;
-    var second_4: f32;
-    cell_4 = floor(p);
-    second_4 = floor(seconds);
-    let _e10 = cell_4;
-    let _e12 = cell_4;
-    let _e14 = second_4;
-    let _e16 = second_4;
+    var cell_5: vec2<f32>;
+    var second_6: f32;
+    cell_5 = floor(p);
+    second_6 = floor(seconds);
+    let _e10 = cell_5;
+    let _e12 = cell_5;
+    let _e14 = second_6;
+    let _e16 = second_6;
     let _e18 = gabor_water_at(vec2<i32>(_e10), (p - _e12), i32(_e14), (seconds - _e16), dx, dy, ocean, seed);
     return _e18;
 }

@@ -1,8 +1,8 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 37772af6aac55b09.
+// naga 30.0.1 made it from GLSL with the digest e1645468a39a144b.
 //
-// gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point.
+// gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
+// every point.
 //
 //     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     f32 v = gabor_unorm(n);                    // in [0, 1], for display
@@ -41,7 +41,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // vec2f gabor_phasor(vec2f value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
@@ -109,7 +109,7 @@ struct GaborField {
 // kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
 // wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
 //
-// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
 fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phases: i32, window: vec3<f32>) -> f32 {
     return (((f32((n + phases)) + r) + a) + window.x);
@@ -118,6 +118,8 @@ fn gabor_impl_check_macros() -> f32 {
     let _e9 = gabor_impl_needs_int_float_float_int_vec3_macros(1i, 1f, 0.675f, 256i, vec3<f32>(3f, -4.5f, 2.5f));
     return _e9;
 }
+
+// ---- Randomness ----------------------------------------------------------------------------------------------------
 
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
 // between the rounds, so that no salt's sequence is a shifted copy of another's.
@@ -159,14 +161,14 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
 }
 
 // The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
-struct GaborImpulse {
+struct GaborImplImpulse {
     position_plus_one: vec2<f32>,
     phase: f32, // phase in turns
     phase_rate: f32, // turns per unit of time: -4 to -1 or 1 to 4
     magnitude: f32, // magnitude of the weight
 }
 
-fn gabor_impl_impulse(word: u32) -> GaborImpulse {
+fn gabor_impl_impulse(word: u32) -> GaborImplImpulse {
     var position_plus_one: vec2<f32>;
     var rate: f32;
     var local: f32;
@@ -190,7 +192,7 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
         local_1 = 0.675f;
     }
     let _e47 = local_1;
-    return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
+    return GaborImplImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
 }
 
 // sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
@@ -294,15 +296,15 @@ fn gabor_impl_direction(angle: f32) -> vec2<f32> {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
-// q^2.
-struct GaborEnergy {
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the
+// integral of q^2.
+struct GaborImplEnergy {
     e4567_: vec4<f32>,
     e8_: f32,
     sum: f32,
 }
 
-fn gabor_impl_energy() -> GaborEnergy {
+fn gabor_impl_energy() -> GaborImplEnergy {
     var c: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
     var e4567_: vec4<f32>;
     var e8_: f32;
@@ -324,7 +326,7 @@ fn gabor_impl_energy() -> GaborEnergy {
     let _e65 = e8_;
     let _e66 = e4567_;
     let _e70 = e8_;
-    return GaborEnergy(_e64, _e65, (dot(_e66, vec4(1f)) + _e70));
+    return GaborImplEnergy(_e64, _e65, (dot(_e66, vec4(1f)) + _e70));
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
@@ -332,7 +334,7 @@ fn gabor_impl_energy() -> GaborEnergy {
 // 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
 // L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
+fn gabor_impl_relative_energy(k: f32, energy: GaborImplEnergy) -> f32 {
     var a_1: f32;
     var z: f32;
     var d4567_: vec4<f32>;
@@ -512,7 +514,7 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var local_6: f32;
     var wave: vec2<f32>;
-    var energy_1: GaborEnergy;
+    var energy_1: GaborImplEnergy;
     var density: f32 = 1f;
     var power: f32 = 0.7278125f;
     var amplitude: f32;
@@ -575,7 +577,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var column_1: i32;
     var k_1: i32;
     var word_3: u32;
-    var impulse: GaborImpulse;
+    var impulse: GaborImplImpulse;
     var d: vec2<f32>;
     var turns: f32;
     var x_2: vec2<f32>;

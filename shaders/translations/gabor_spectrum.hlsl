@@ -22,7 +22,7 @@
 #error Include gabor_noise.hlsl before gabor_spectrum.hlsl
 #endif
 #ifndef GABOR_SPECTRUM_HLSL
-#define GABOR_SPECTRUM_HLSL
+#define GABOR_SPECTRUM_HLSL 1
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -120,8 +120,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a float, within the period if there is one.
+// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
+// to a float, within the period if there is one.
 GaborPlace gabor_impl_stretched(GaborPlace place, float2 radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     float2 unit = 1.0 / (place.radius * radius);
@@ -210,7 +210,8 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 
 float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          uint seed) {
-    return gabor_field_spread(gabor_place_at(p), frequency, orientation, frequency_spread, orientation_spread, seed).noise;
+    return gabor_field_spread(gabor_place_at(p), frequency, orientation, frequency_spread, orientation_spread,
+                              seed).noise;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
@@ -224,9 +225,9 @@ float gabor_noise_spread(float2 p, float frequency, float orientation, float fre
 
 #define GABOR_IMPL_STAR (0.57735027 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
 
-// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
-// The third is their difference, and so is its phase.
-struct GaborStar {
+// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
+// vectors. The third is their difference, and so is its phase.
+struct GaborImplStar {
     float2 first;
     float2 second;
     float2 third;
@@ -234,9 +235,9 @@ struct GaborStar {
     float2 v;
 };
 
-GaborStar GaborStar_of(float2 first, float2 second, float2 third, float2 u, float2 v)
+GaborImplStar GaborImplStar_of(float2 first, float2 second, float2 third, float2 u, float2 v)
 {
-    GaborStar made;
+    GaborImplStar made;
     made.first = first;
     made.second = second;
     made.third = third;
@@ -246,8 +247,8 @@ GaborStar GaborStar_of(float2 first, float2 second, float2 third, float2 u, floa
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-GaborStar gabor_impl_star(uint4 words, float2 d, float moment) {
-    GaborStar star;
+GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
+    GaborImplStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5 * star.u + 0.8660254 * float2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(dot(star.u, d));
@@ -259,8 +260,8 @@ GaborStar gabor_impl_star(uint4 words, float2 d, float moment) {
     return star;
 }
 
-// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the node's
-// window.
+// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the
+// node's window.
 void gabor_impl_add_wave(inout GaborField sum, float3 window, float2 a, float2 wave) {
     float2 value = window.x * a;
     sum.noise += value.y;
@@ -272,9 +273,9 @@ void gabor_impl_add_wave(inout GaborField sum, float3 window, float2 a, float2 w
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                  place.radius.y);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                      place.radius.y);
     float2 stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
@@ -282,7 +283,7 @@ GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             float2 d = frequency / place.radius * float2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             float2 h = float2(x.node[i].x, y.node[j].x);
             float3 window = float3(h.x * h.y, stretch * float2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -301,10 +302,10 @@ float gabor_noise_isotropic(float2 p, float frequency, uint seed) {
 
 // ---- Profiles ------------------------------------------------------------------------------------------------------
 
-// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over `width`
-// turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
-// between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
-// the integral of one period.
+// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over
+// `width` turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a
+// profile between the ends is the change of its integral from one end to the other, divided by the width. Each whole
+// turn adds the integral of one period.
 float3 gabor_impl_ends_at(float phase, float span) {
     float y = max(1.0 - span, 0.0);
     float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
@@ -348,4 +349,4 @@ float gabor_profile_pulse(float2 stripes, float duty) {
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
 
-#endif // GABOR_SPECTRUM_HLSL
+#endif

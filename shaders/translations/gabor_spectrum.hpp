@@ -25,7 +25,7 @@
 #error Include gabor_noise.hpp before gabor_spectrum.hpp
 #endif
 #ifndef GABOR_SPECTRUM_HPP
-#define GABOR_SPECTRUM_HPP
+#define GABOR_SPECTRUM_HPP 1
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -113,8 +113,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a float, within the period if there is one.
+// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
+// to a float, within the period if there is one.
 GABOR_INLINE GaborPlace gabor_impl_stretched(GaborPlace place, gabor_vec2 radius) {
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     gabor_vec2 unit = 1.0f / (place.radius * radius);
@@ -203,7 +203,8 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 
 GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orientation, float frequency_spread, float orientation_spread,
                          std::uint32_t seed) {
-    return gabor_field_spread(gabor_place_at(p), frequency, orientation, frequency_spread, orientation_spread, seed).noise;
+    return gabor_field_spread(gabor_place_at(p), frequency, orientation, frequency_spread, orientation_spread,
+                              seed).noise;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
@@ -217,9 +218,9 @@ GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orien
 
 #define GABOR_IMPL_STAR (0.57735027f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
 
-// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
-// The third is their difference, and so is its phase.
-struct GaborStar {
+// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
+// vectors. The third is their difference, and so is its phase.
+struct GaborImplStar {
     gabor_vec2 first;
     gabor_vec2 second;
     gabor_vec2 third;
@@ -228,8 +229,8 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GABOR_INLINE GaborStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
-    GaborStar star;
+GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
+    GaborImplStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5f * star.u + 0.8660254f * gabor_vec2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(gabor_cpp_dot(star.u, d));
@@ -241,8 +242,8 @@ GABOR_INLINE GaborStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float mo
     return star;
 }
 
-// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the node's
-// window.
+// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the
+// node's window.
 GABOR_INLINE void gabor_impl_add_wave(GaborField& sum, gabor_vec3 window, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 value = window.x * a;
     sum.noise += value.y;
@@ -254,9 +255,9 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField& sum, gabor_vec3 window, gabor_
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
-                                  place.radius.y);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                                      place.radius.y);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
@@ -264,7 +265,7 @@ GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency,
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             gabor_vec2 d = frequency / place.radius * gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             gabor_vec2 h = gabor_vec2(x.node[i].x, y.node[j].x);
             gabor_vec3 window = gabor_vec3(h.x * h.y, stretch * gabor_vec2(x.node[i].z, y.node[j].z) * h.yx());
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -283,10 +284,10 @@ GABOR_INLINE float gabor_noise_isotropic(gabor_vec2 p, float frequency, std::uin
 
 // ---- Profiles ------------------------------------------------------------------------------------------------------
 
-// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over `width`
-// turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
-// between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
-// the integral of one period.
+// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over
+// `width` turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a
+// profile between the ends is the change of its integral from one end to the other, divided by the width. Each whole
+// turn adds the integral of one period.
 GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
     float y = gabor_cpp_max(1.0f - span, 0.0f);
     float width = gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f)));
@@ -330,4 +331,4 @@ GABOR_INLINE float gabor_profile_pulse(gabor_vec2 stripes, float duty) {
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
 
-#endif // GABOR_SPECTRUM_HPP
+#endif

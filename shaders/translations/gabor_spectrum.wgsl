@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c620ed422396e2f9.
+// naga 30.0.1 made it from GLSL with the digest 8d8fd5e53cc43401.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -97,8 +97,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a f32, within the period if there is one.
+// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
+// to a f32, within the period if there is one.
 fn gabor_impl_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     var cell_2: vec2<i32>;
     var unit: vec2<f32>;
@@ -371,9 +371,9 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave vectors.
-// The third is their difference, and so is its phase.
-struct GaborStar {
+// The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
+// vectors. The third is their difference, and so is its phase.
+struct GaborImplStar {
     first: vec2<f32>,
     second: vec2<f32>,
     third: vec2<f32>,
@@ -382,8 +382,8 @@ struct GaborStar {
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
-    var star: GaborStar;
+fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborImplStar {
+    var star: GaborImplStar;
     let _e10 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
     star.u = _e10;
     let _e13 = star;
@@ -417,8 +417,8 @@ fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
     return _e67;
 }
 
-// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the node's
-// window.
+// Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the
+// node's window.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
     var value_5: vec2<f32>;
     value_5 = (window.x * a);
@@ -441,15 +441,15 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     var frequency_11: f32;
     var salt_4: u32;
-    var x_5: GaborAxis;
-    var y_4: GaborAxis;
+    var x_5: GaborImplAxis;
+    var y_4: GaborImplAxis;
     var stretch_2: vec2<f32>;
     var sum_8: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_2: i32 = 0i;
     var row_1: vec4<u32>;
     var i_5: i32;
     var d_1: vec2<f32>;
-    var star_1: GaborStar;
+    var star_1: GaborImplStar;
     var h: vec2<f32>;
     var window_1: vec3<f32>;
     var field_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
@@ -558,10 +558,10 @@ fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
 
 // ---- Profiles ------------------------------------------------------------------------------------------------------
 
-// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over `width`
-// turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
-// between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
-// the integral of one period.
+// Returns (phase - width / 2, phase + width / 2, 1 / width) of stripes, in turns. The mean of a unit vector over
+// `width` turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a
+// profile between the ends is the change of its integral from one end to the other, divided by the width. Each whole
+// turn adds the integral of one period.
 fn gabor_impl_ends_at(phase: f32, span: f32) -> vec3<f32> {
     var phase_2: f32;
     var y_5: f32;

@@ -8,7 +8,7 @@ vec3 viewer_ramp(float t, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e) {
 }
 
 // Colour maps for t in [0, 1]: 0 grey, 1 viridis, 2 blue to red through white, 3 ember, 4 sea. Map 1 interpolates five colours
-// by van der Walt and Smith, map 2 five colours of Moreland's "cool to warm".
+// by van der Walt and Smith, map 2 five colours of Moreland's `cool to warm`.
 vec3 viewer_colour(int map, float t) {
     t = clamp(t, 0.0, 1.0);
     if (map == 1)

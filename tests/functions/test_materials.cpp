@@ -63,10 +63,10 @@ GaborMaterial on_boards(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned see
     boards.turns = 0.5f;
     const GaborBoard board = gabor_board(p, dx, dy, Vec2(0), boards, seed);
     const auto wood = parameters_of<GaborWood>(n);
-    return gabor_laid(dx.x > 0
-                          ? gabor_wood_filtered_at(board.p, board.dx, board.dy, Vec2(0), wood, board.seed)
-                          : gabor_wood_at(board.p, Vec2(0), wood, board.seed),
-                      board, boards);
+    return gabor_laid(
+        dx.x > 0 ? gabor_wood_filtered_at(board.position, board.dx, board.dy, Vec2(0), wood, board.seed)
+                 : gabor_wood_at(board.position, Vec2(0), wood, board.seed),
+        board, boards);
 }
 
 // A material that a mask raises, with the mask's gradient.
@@ -371,7 +371,8 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
         // The middle of the board at p.
         const auto middle_of = [&](Vec2 p, const GaborBoard& b) {
             const bool turned = b.turn.y > 0.5f;
-            return Vec2(p.x - (turned ? -b.p.y : b.p.x), p.y - (turned ? b.p.x : b.p.y));
+            return Vec2(p.x - (turned ? -b.position.y : b.position.x),
+                        p.y - (turned ? b.position.x : b.position.y));
         };
         Random random(4);
         int turned = 0, joints = 0;

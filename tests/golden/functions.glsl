@@ -228,7 +228,7 @@ float kept(GaborMaterial m) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborBoard b) {
-    return kept(b.p) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
+    return kept(b.position) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
            + b.joint.x + (b.joint.y + 0.7f * b.joint.z) / (1.0f + abs(b.joint.y) + abs(b.joint.z)); // its edges may be steep
 }
 #endif
@@ -451,8 +451,8 @@ void see_all(int i) {
     GaborBoard board = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), period, boards, s.seed);
     GaborBoard blurred = gabor_board(p, dx, dy, vec2(0.0f, 0.0f), boards, s.seed);
     GaborMaterial metal = gabor_brushed_metal(p, s.seed), stone = gabor_marble(p, s.seed);
-    SEE(kept(gabor_laid(gabor_wood(board.p, board.seed), board, boards)))
-    SEE(kept(gabor_laid(gabor_wood_filtered(blurred.p, blurred.dx, blurred.dy, blurred.seed), blurred, boards)))
+    SEE(kept(gabor_laid(gabor_wood(board.position, board.seed), board, boards)))
+    SEE(kept(gabor_laid(gabor_wood_filtered(blurred.position, blurred.dx, blurred.dy, blurred.seed), blurred, boards)))
     SEE(kept(gabor_covered(metal, stone, 0.002f)))
     SEE(kept(gabor_worn(metal, stone, 0.002f)))
     GaborBoards any = GaborBoards(vec3(drawn(i, 60, 0.0f, 1.0f), drawn(i, 61, 0.0f, 1.0f), drawn(i, 62, 0.0f, 1.0f)),

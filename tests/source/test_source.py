@@ -72,6 +72,70 @@ class Comments(unittest.TestCase):
         self.assertEqual(wrong, [])
 
 
+def places_of(path, pattern, where=None):
+    """Returns file:line of each match in a text, by default the file's."""
+    where = text(path) if where is None else where
+    return [f"{path}:{where.count(chr(10), 0, match.start()) + 1}" for match in re.finditer(pattern, where, re.MULTILINE)]
+
+
+class Shaders(unittest.TestCase):
+    """What parsers, minifiers and hosts of GLSL need of texts that users paste: docs/engines.md names those that
+    tools/test-engines parsers runs."""
+
+    drop_ins = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "shaders").glob("gabor_*.glsl"))
+    # What "Copy code" adds to a user's shader: host/viewer/CMakeLists.txt lists it.
+    pasted = [f"shaders/{name}" for name in re.findall(r"\w+/\w+\.glsl", text("host/viewer/CMakeLists.txt"))]
+
+    def none(self, pattern, files, of=text):
+        """Checks that no line of these files matches."""
+        self.assertGreater(len(files), 10)
+        self.assertEqual([place for path in files for place in places_of(path, pattern, of(path))], [])
+
+    def code(self, path):
+        """Returns the text with spaces in place of comments."""
+        return re.sub(r"//.*|/\*[\s\S]*?\*/", lambda match: re.sub(r"\S", " ", match[0]), text(path))
+
+    def test_no_comment_shares_a_line_with_a_directive_or_ends_the_line_before_it(self):
+        self.none(r"^ *#.*(//|/\*)", self.drop_ins + self.pasted)
+        self.none(r"^ *[^/\s].*//.*\n *#", self.drop_ins + self.pasted)
+
+    def test_no_comment_has_a_double_quote(self):
+        self.none(r'^(?! *#include ).*"', self.drop_ins + self.pasted)
+
+    def test_directives_stand_at_file_scope(self):
+        def inside(path):
+            """Returns the lines within braces and parentheses, and empty lines for all others."""
+            depth, lines = 0, []
+            for line in self.code(path).splitlines():
+                lines.append(line if depth else "")
+                depth += 0 if line.startswith("#") else sum(map(line.count, "({")) - sum(map(line.count, ")}"))
+            self.assertEqual(depth, 0, path)
+            return "\n".join(lines)
+        self.none(r"^ *#", self.drop_ins + self.pasted, inside)
+
+    def test_every_macro_has_a_value(self):
+        self.none(r"^ *# *define +\w+ *$", self.drop_ins + self.pasted, self.code)
+
+    def test_no_member_is_named_like_a_component(self):
+        def members(path):
+            """Returns the text with nothing but the bodies of structs."""
+            code = self.code(path)
+            kept = {i for match in re.finditer(r"^struct \w+ \{([^}]*)\}", code, re.MULTILINE) for i in range(*match.span(1))}
+            return "".join(each if i in kept or each == "\n" else " " for i, each in enumerate(code))
+        self.assertIn("vec2 gradient;", members("shaders/gabor_noise.glsl"))
+        self.none(r" (?:[xyzw]{1,4}|[rgba]{1,4}|[stpq]{1,4})(?:\[.*\])?[;,]", self.drop_ins + self.pasted, members)
+
+    def test_private_structs_say_so(self):
+        def private(path):
+            before, _, after = text(path).partition("// Private implementation\n")
+            return before.replace("struct", "public") + after.replace("struct", "private")
+        self.none(r"^public GaborImpl|^private Gabor(?!Impl)", self.drop_ins, private)
+        self.assertIn("private GaborImplAxis", private("shaders/gabor_noise.glsl"))
+
+    def test_lines_of_drop_ins_fit_into_120_columns(self):
+        self.none(".{121}", self.drop_ins)
+
+
 class Golden(unittest.TestCase):
     def test_every_public_function_has_golden_values(self):
         called = set(re.findall(r"\b(gabor_\w+)", text("tests/golden/functions.glsl")))
@@ -89,7 +153,8 @@ class Version(unittest.TestCase):
                  "CHANGELOG.md": re.search(r"^## (\S+)(?: \(unreleased\))?$", text("CHANGELOG.md"), re.MULTILINE)[1]}
         self.assertEqual(found, dict.fromkeys(found, version))
         for name in ("noise", "sparse"):  # tools/translate --check compares the translations with these
-            self.assertIn(f"#define GABOR_NOISE_VERSION {10000 * major + 100 * minor + patch} ", text(f"shaders/gabor_{name}.glsl"))
+            number = re.search(r"#define GABOR_NOISE_VERSION (\d+)\n", text(f"shaders/gabor_{name}.glsl"))[1]
+            self.assertEqual(int(number), 10000 * major + 100 * minor + patch, name)
 
 
 if __name__ == "__main__":

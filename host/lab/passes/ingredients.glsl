@@ -13,7 +13,7 @@ layout(constant_id = 9) const float hex_b_x = 0.0;
 layout(constant_id = 10) const float hex_b_y = 1.0;
 layout(constant_id = 11) const float hex_overhang = 0.0;
 
-#define GABOR_UNCHECKED
+#define GABOR_UNCHECKED 1
 #define GABOR_IMPULSES ingredient_impulses
 #define GABOR_POINTS ingredient_points
 #define GABOR_WEIGHTS ingredient_weights
