@@ -71,28 +71,19 @@ def materials(of_materials, of_boards):
     return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'
 
 
-def dense(wgsl):
-    """Returns a translation with each function of naga's on one line."""
-    return re.sub(r"(?ms)^fn [^\n]*{\n.*?^}", lambda match: re.sub(r"\s+", " ", match[0]), wgsl)
-
-
 # The files of the page's sea, in order. It has more bands than the translation.
 SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
 SEA_MACROS = "GABOR_OCEAN_BANDS=12",
 
 
 def made(shader, in_wgsl):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, after the files it needs or others, and
-    `in_wgsl` its translation, given the existing one."""
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
+    before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
-    page = DEMO.read_text()
-    existing = {match[2]: match[0].removeprefix(match[1]).removesuffix(match[3]) for match in IN_PAGE.finditer(page)}
     for i, path in enumerate(SEA):
-        name = path.stem + ".wgsl"
-        texts[name] = in_wgsl(shader(path, (ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i])), path.stem, SEA_MACROS, existing[name]) or ""
-    texts |= {name: dense(text) for name, text in texts.items() if name.endswith(".wgsl")}
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], page)
+        texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=SEA_MACROS, before=(ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i]))
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())

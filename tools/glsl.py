@@ -1,5 +1,5 @@
-"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text. The text must be
-correct, as glslangValidator checks. What is correct but outside of that part is refused with its file and line."""
+"""Reads the part of GLSL ES 3.00 that the drop-ins use into a syntax tree with types, and edits its text. What is wrong,
+or correct but outside of that part, is refused with its file and line."""
 
 import re
 from collections import ChainMap, namedtuple
@@ -22,6 +22,10 @@ ASSIGNMENTS = set("= += -= *= /= %= &= |= ^= <<= >>=".split())
 FUNCTIONS = """abs acos asin atan ceil clamp cos cross distance dot exp exp2 floor fract inversesqrt length log log2 max
     min mix normalize pow sign sin smoothstep sqrt step tan trunc uintBitsToFloat""".split()
 REDUCING = {"dot", "length", "distance"}
+ARGUMENTS = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys("min max pow step dot distance cross".split(), 2)
+# The arguments of functions of vectors that may be numbers, all or none of them, and functions of whole numbers, too.
+NUMBERS = {"min": (1,), "max": (1,), "clamp": (1, 2), "mix": (2,), "step": (0,), "smoothstep": (0, 1)}
+WHOLE = {"abs": "int", "sign": "int", "min": "int uint", "max": "int uint", "clamp": "int uint"}
 
 
 class Refused(Exception):
@@ -79,10 +83,11 @@ def shape(type):
 
 
 class Shader:
-    """The syntax tree of a drop-in. `before` is the drop-in before it, whose names it uses. Directives and comments may
-    stand between any two tokens. All branches of a condition are read, one after the other."""
+    """The syntax tree of a drop-in. `before` is the drop-in before it, whose names it uses, and `tested` are the user's
+    macros, by default all that a condition tests. Directives and comments may stand between any two tokens. All branches
+    of a condition are read, one after the other."""
 
-    def __init__(self, text, path, before=None):
+    def __init__(self, text, path, before=None, tested=None):
         self.text, self.path, self.before, self.items = text, path, before, []
         self.structs, self.functions, self.macros, variables = (
             dict(getattr(before, kind, {})) for kind in ("structs", "functions", "macros", "variables"))
@@ -90,7 +95,7 @@ class Shader:
         found = list(tokens(text))
         self.comments, self.directives, self.dialects = (
             [token for token in found if token.kind == kind] for kind in ("comment", "directive", "dialect"))
-        self.tested = set(re.findall(r"^#ifn?def (\w+)", text, re.MULTILINE))
+        self.tested = set(re.findall(r"^#ifn?def (\w+)", text, re.MULTILINE)) if tested is None else tested
         self.defined = [self.macro(token) for token in self.directives if token.text.startswith("#define")]
         empty = {name for name, node in self.macros.items() if not node.body}
         code = [token for token in found if token.kind in ("name", "number", "sign") and token.text not in empty]
@@ -168,14 +173,14 @@ class Shader:
     def declaration(self, kind):
         """Reads the declaration of one or more variables or fields, with a semicolon."""
         first, constant, type_name = self.token, self.maybe("const"), self.type_name()
-        parts = self.until(";", lambda: self.variable(kind, type_name), ",")
+        parts = self.until(";", lambda: self.variable(kind, type_name, constant=bool(constant)), ",")
         return self.node("declare", first, parts, constant=constant)
 
     def variable(self, kind, type_name, first=None, **more):
         """Reads a variable, parameter or field, after its type, and declares it."""
         name = self.take()
         length = self.until("]", self.expression) if self.maybe("[") else []
-        value = self.whole() if self.maybe("=") else None
+        value = self.fitting(self.whole(), type_name.text) if self.maybe("=") else None
         node = self.node(kind, first or name, [*length, value], type_name.text + "[]" * len(length),
                          name=name, type_name=type_name, value=value, **more)
         if kind == "parameter" and length:
@@ -200,35 +205,81 @@ class Shader:
         first_one = self.functions.setdefault(name.text, node)
         if [part.type for part in first_one.parameters] != [part.type for part in parameters]:
             self.refuse(f"a second {name.text} with other parameters", first)
+        self.returned = node.type
         node.body = self.block(self.take("{"))
         node.parts, node.end = [*parameters, node.body], node.body.end
         self.variables = self.variables.parents
         return node
 
     def block(self, first):
-        """Reads statements up to a closing brace. The parts are declarations, expressions, return statements and
-        blocks: no language needs the words between them."""
-        self.variables, parts = self.variables.new_child(), []
-        while not self.maybe("}"):
-            token = self.token
-            if self.maybe("{"):
-                parts.append(self.block(token))
-            elif self.maybe("return"):
-                parts.append(self.node("return", token, self.until(";", self.whole)))
-            elif token.text == "const" or self.is_type(token) and self.tokens[self.place + 1].kind == "name":
-                parts.append(self.declaration("variable"))
-            elif self.maybe("if", "for", "while", "do", "else", "break", "continue"):
-                self.maybe("(")
-            elif not self.maybe(";", ",", ")"):
-                parts.append(self.whole())
+        """Reads statements up to a closing brace."""
+        self.variables = self.variables.new_child()
+        parts = self.until("}", self.statement)
         self.variables = self.variables.parents
         return self.node("block", first, parts)
+
+    def statement(self):
+        first = self.token
+        if self.maybe("{"):
+            return self.block(first)
+        if self.maybe("if"):
+            return self.condition(first)
+        if self.maybe("for"):
+            return self.loop(first)
+        if self.maybe("while"):
+            parts = [self.test(), self.statement()]
+            return self.node("while", first, parts)
+        if self.maybe("do"):
+            parts = [self.statement(), self.take("while") and self.test()]
+            self.take(";")
+            return self.node("do", first, parts)
+        if self.maybe("return"):
+            parts = [] if self.token.text == ";" else [self.fitting(self.whole(), self.returned)]
+            return self.ended("return", first, parts)
+        if self.maybe("break", "continue"):
+            return self.ended("jump", first)
+        if self.token.text == ";":
+            return self.ended("empty", first)
+        if first.text == "const" or self.is_type(first) and self.tokens[self.place + 1].kind == "name":
+            return self.declaration("variable")
+        return self.ended("expression", first, [self.whole()])
+
+    def ended(self, kind, first, parts=()):
+        self.take(";")
+        return self.node(kind, first, parts)
+
+    def test(self):
+        """Reads the condition of a statement, in parentheses."""
+        self.take("(")
+        node = self.fitting(self.whole(), "bool")
+        self.take(")")
+        return node
+
+    def condition(self, first):
+        parts = [self.test(), self.statement()]
+        if self.maybe("else"):
+            parts.append(self.statement())
+        return self.node("if", first, parts)
+
+    def loop(self, first):
+        """Reads a for loop. Its parts are the statement before it, the test, what follows each turn, and the body."""
+        self.take("(")
+        self.variables = self.variables.new_child()
+        begin = self.statement()
+        test = None if self.token.text == ";" else self.fitting(self.whole(), "bool")
+        self.take(";")
+        step = self.until(")", self.whole, ",")
+        body = self.statement()
+        self.variables = self.variables.parents
+        return self.node("for", first, [begin, test, *step, body], begin=begin, test=test, step=step, body=body)
 
     def whole(self):
         """Reads an expression that is no part of another one. C++ may evaluate its parts in any order."""
         node = self.expression()
         if self.token.text in ASSIGNMENTS:
             sign, value = self.take(), self.whole()
+            type = node.type if sign.text == "=" else self.operation(Token("sign", sign.text[:-1], *sign[2:]), node, value)
+            self.fitting(value if sign.text == "=" else Node("", node, value, type=type), node.type)
             node = self.node("assign", self.pure(node), [node, value], node.type, sign=sign)
         used = [part.declared for part in node.walk() if part.kind == "name"]
         if any(used.count(variable) > 1 for variable in changes(node)):
@@ -257,12 +308,36 @@ class Shader:
             self.refuse(f"{where.text} of structs", where)
         return None if None in types else max(types, key=lambda type: shape(type)[1])
 
+    def fitting(self, node, type):
+        """Returns an expression, which must have this type, because GLSL ES converts none."""
+        if node.type != type and None not in (node.type, type):
+            self.refuse(f"{node.type} in the place of {type}", node)
+        return node
+
+    def operation(self, sign, left, right):
+        """Returns the type of two values with a sign between them."""
+        type = self.widest([left, right], sign)
+        if type is None:
+            return None
+        (kind, size), (other, count) = shape(left.type), shape(right.type)
+        if sign.text in LOGICAL and size + count != 2:
+            self.refuse(f"{sign.text} of a {type}", sign)
+        if sign.text in ("<<", ">>"):
+            good, type = {kind, other} <= {"int", "uint"} and count in (1, size), left.type
+        else:
+            kinds = {"&&": "bool", "||": "bool", "==": "bool int uint float", "!=": "bool int uint float"} | dict.fromkeys("%&|^", "int uint")
+            good = kind == other and kind in kinds.get(sign.text, "int uint float").split() and (size == count or 1 in (size, count))
+        if not good:
+            self.refuse(f"{left.type} {sign.text} {right.type}", sign)
+        return "bool" if sign.text in LOGICAL else type
+
     def expression(self):
         test = self.binary(1)
         if not (sign := self.maybe("?")):
             return test
+        self.fitting(test, "bool")
         yes, no = self.pure(self.expression()), self.take(":") and self.pure(self.expression())
-        return self.node("choice", test, [test, yes, no], self.widest([yes, no], sign))
+        return self.node("choice", test, [test, yes, self.fitting(no, yes.type)], self.widest([yes, no], sign))
 
     def binary(self, level):
         left = self.unary()
@@ -271,15 +346,14 @@ class Shader:
             right = self.binary(PRECEDENCE[sign.text] + 1)
             if sign.text in ("&&", "||"):
                 self.pure(right)
-            type = self.widest([left, right], sign)
-            if sign.text in LOGICAL and shape(type)[1] != 1:
-                self.refuse(f"{sign.text} of a {type}", sign)
-            left = self.node("binary", left, [left, right], "bool" if sign.text in LOGICAL else type, sign=sign)
+            left = self.node("binary", left, [left, right], self.operation(sign, left, right), sign=sign)
         return left
 
     def unary(self):
         if sign := self.maybe("-", "+", "!", "~"):
             part = self.unary()
+            if part.type and shape(part.type)[0] not in {"!": "bool", "~": "int uint"}.get(sign.text, "int uint float").split():
+                self.refuse(f"{sign.text} of a {part.type}", sign)
             return self.node("unary", sign, [part], part.type, sign=sign)
         if sign := self.maybe("++", "--"):
             return self.step(sign, sign, self.unary())
@@ -288,7 +362,11 @@ class Shader:
             if sign.text == ".":
                 node = self.member(node, self.take())
             elif sign.text == "[":
-                node = self.node("index", node, [node, *self.until("]", self.expression)], shape(node.type)[0])
+                index = self.expression()
+                self.take("]")
+                if index.type not in ("int", "uint") or shape(node.type)[1] == 1:
+                    self.refuse(f"an index of type {index.type} into a {node.type}", index)
+                node = self.node("index", node, [node, index], shape(node.type)[0])
             else:
                 node = self.step(node, sign, node)
         if node.type and node.type.endswith("[]"):
@@ -303,7 +381,7 @@ class Shader:
     def member(self, part, name):
         """Returns a struct's member, or components of a vector."""
         struct = self.structs.get(part.type)
-        if not struct and set(name.text) - set("xyzw"):
+        if name.text not in struct.fields if struct else set(name.text) - set("xyzw"[:max(shape(part.type)[1], 0)]):
             self.refuse(f".{name.text} of a {part.type}", name)
         type = struct.fields[name.text].type if struct else TYPES.get((shape(part.type)[0], len(name.text)))
         return self.node("member", part, [part], type, name=name, swizzle=not struct and len(name.text) > 1)
@@ -335,9 +413,11 @@ class Shader:
             node.what, node.type = "vector", self.constructed(node, *SHAPES[name])
         elif name in self.structs:
             node.what, node.type, node.callee = "struct", name, self.structs[name]
+            self.arguments(node, node.callee.fields.values())
         elif name in self.functions:
             node.what, node.callee = "function", self.functions[name]
             node.type = node.callee.type
+            self.arguments(node, node.callee.parameters)
             for part, given in zip(node.parts, node.callee.parameters):
                 if given.out and self.change(part).kind != "name":
                     self.refuse(f"'{self.text[part.start:part.end]}' as an out argument", part)
@@ -346,6 +426,12 @@ class Shader:
         else:
             node.what, node.type = "builtin", self.builtin(node, name)
         return node
+
+    def arguments(self, node, wanted):
+        if len(node.parts) != len(wanted):
+            self.refuse_types(node)
+        for part, each in zip(node.parts, wanted):
+            self.fitting(part, each.type)
 
     def refuse_types(self, node):
         self.refuse(f"{node.name.text}({', '.join(str(part.type) for part in node.parts)})", node)
@@ -363,8 +449,16 @@ class Shader:
         """Returns the type of a call of one of GLSL's functions."""
         if name not in FUNCTIONS:
             self.refuse(name, node)
+        if len(node.parts) not in ((1, 2) if name == "atan" else (ARGUMENTS.get(name, 1),)):
+            self.refuse_types(node)
         kind, size = shape(self.widest(node.parts, node.name))
-        if size == 1 and name in REDUCING | {"normalize"}:  # HLSL, Metal or C++ lack these
+        kinds = {shape(part.type)[0] for part in node.parts}
+        sizes = [shape(part.type)[1] for part in node.parts]
+        numbers = {sizes[i] for i in NUMBERS.get(name, ())}
+        others = {count for i, count in enumerate(sizes) if i not in NUMBERS.get(name, ())}
+        wanted = "uint" if name == "uintBitsToFloat" else f"float {WHOLE.get(name, '')}"
+        lacking = size == 1 and name in REDUCING | {"normalize"} or name == "cross" and size != 3  # in HLSL, Metal or C++
+        if kinds - {None} and (len(kinds) > 1 or kind not in wanted.split() or others != {size} or lacking or numbers - {size} and numbers != {1}):
             self.refuse_types(node)
         kind = "float" if name == "uintBitsToFloat" else kind
         return TYPES.get((kind, 1 if size and name in REDUCING else size))

@@ -1,9 +1,7 @@
 // Generated from gabor_compose.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hlsl: materials together, as planks and tiles, one over another, or worn.
-//
-// Paste or include this file after gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl for filtered materials, and
-// gabor_materials.hlsl.
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, ddx(p), ddy(p), float2(0.0), planks, 7u);      // the one at p
@@ -26,8 +24,17 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_NOISE_HLSL
+#include "gabor_noise.hlsl"
+#endif
+#ifndef GABOR_SPECTRUM_HLSL
+#include "gabor_spectrum.hlsl"
+#endif
+#ifndef GABOR_FILTER_HLSL
+#include "gabor_filter.hlsl"
+#endif
 #ifndef GABOR_MATERIALS_HLSL
-#error Include gabor_noise.hlsl, gabor_spectrum.hlsl and gabor_materials.hlsl before gabor_compose.hlsl
+#include "gabor_materials.hlsl"
 #endif
 #ifndef GABOR_COMPOSE_HLSL
 #define GABOR_COMPOSE_HLSL 1

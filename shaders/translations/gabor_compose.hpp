@@ -1,10 +1,8 @@
 // clang-format off
 // Generated from gabor_compose.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
-//
-// Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp for filtered materials, and
-// gabor_materials.hpp.
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
@@ -27,10 +25,21 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
+#ifndef GABOR_NOISE_HPP
+#include "gabor_noise.hpp"
+#endif
+#ifndef GABOR_SPECTRUM_HPP
+#include "gabor_spectrum.hpp"
+#endif
+#ifndef GABOR_FILTER_HPP
+#include "gabor_filter.hpp"
+#endif
 #ifndef GABOR_MATERIALS_HPP
-#error Include gabor_noise.hpp, gabor_spectrum.hpp and gabor_materials.hpp before gabor_compose.hpp
+#include "gabor_materials.hpp"
 #endif
 #ifndef GABOR_COMPOSE_HPP
 #define GABOR_COMPOSE_HPP 1

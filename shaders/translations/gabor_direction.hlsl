@@ -1,4 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_direction.hlsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -24,7 +25,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl before gabor_direction.hlsl
+#include "gabor_noise.hlsl"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hlsl needs GABOR_TAPS 3

@@ -1,5 +1,6 @@
 // clang-format off
 // Generated from gabor_direction.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -24,10 +25,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifndef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp before gabor_direction.hpp
+#include "gabor_noise.hpp"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hpp needs GABOR_TAPS 3

@@ -1,6 +1,6 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 34b385d6e705416c.
 // Paste it after gabor_noise.wgsl.
+// Constants that you may edit: GABOR_DIRECTION_GLSL.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -10,8 +10,8 @@
 //     vec2f flow(vec2f p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)                              // vec2f(0.0) if you call only gabor_field_waves
 //
-//     GaborField f = gabor_field_direction(gabor_place_at(p), 7u);    // noise along the map
-//     vec3f s = gabor_stripes_of(f, 2.0);                              // cosine, sine, intensity
+//     let f = gabor_field_direction(gabor_place_at(p), 7u);    // noise along the map
+//     let s = gabor_stripes_of(f, 2.0);                              // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
@@ -25,23 +25,25 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+const_assert GABOR_TAPS == 3; // gabor_direction.wgsl needs GABOR_TAPS 3
+
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
 // The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
 // index).
 struct GaborWaves {
-    wave: array<vec2<f32>, 9>,
+    wave: array<vec2f, 9>,
 }
 
-// vec2f gabor_node_position(GaborPlace place, i32 index)
+// fn gabor_node_position(place: GaborPlace, index: i32) -> vec2f
 //     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 
-// GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, u32 seed)
+// fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
 // ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
-// GaborField gabor_field_direction(GaborPlace place, u32 seed)
+// fn gabor_field_direction(place: GaborPlace, seed: u32) -> GaborField
 //     The noise, its quadrature, and their gradients at `place`.
 
 // ====================================================================================================================
@@ -57,139 +59,45 @@ struct GaborWaves {
 // therefore also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is
 // the product of both windows.
 
-fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
-    var node: vec2<i32>;
-    node = (vec2<i32>(floor((place.local + vec2(0.5f)))) + vec2<i32>(((index - ((index / 3i) * 3i)) - 1i), ((index / 3i) - 1i)));
-    let _e24 = node;
-    let _e29 = gabor_impl_wrap((place.cell.x + _e24.x), place.period.x);
-    let _e32 = node;
-    let _e37 = gabor_impl_wrap((place.cell.y + _e32.y), place.period.y);
-    node = vec2<i32>(_e29, _e37);
-    let _e39 = node;
-    return (vec2<f32>(_e39) / place.radius);
+fn gabor_node_position(place: GaborPlace, index: i32) -> vec2f {
+    var node = vec2i(floor(place.local + 0.5)) + vec2i(index - index / 3 * 3 - 1, index / 3 - 1);
+    node = vec2i(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
+                 gabor_impl_wrap(place.cell.y + node.y, place.period.y));
+    return vec2f(node) / place.radius;
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
-fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
-    var wave_6: vec2<f32>;
-    var a_2: vec2<f32>;
-    var value_5: vec2<f32>;
-    var slope_6: vec2<f32>;
-    wave_6 = wave;
-    let _e7 = wave_6;
-    wave_6 = clamp(_e7, vec2(-1000000f), vec2(1000000f));
-    let _e14 = wave_6;
-    let _e16 = gabor_impl_wave(dot(_e14, d));
-    let _e17 = gabor_impl_product(amplitude, _e16);
-    a_2 = _e17;
-    let _e22 = a_2;
-    value_5 = ((x.x * y.x) * _e22);
-    slope_6 = vec2<f32>((x.y * y.x), (x.x * y.y));
-    let _e34 = (*sum);
-    let _e36 = value_5;
-    (*sum).noise = (_e34.noise + _e36.y);
-    let _e40 = (*sum);
-    let _e42 = a_2;
-    let _e44 = slope_6;
-    let _e47 = value_5;
-    let _e50 = wave_6;
-    (*sum).gradient = (_e40.gradient + ((_e42.y * _e44) + ((6.2831855f * _e47.x) * _e50)));
-    let _e55 = (*sum);
-    let _e57 = value_5;
-    (*sum).quadrature = (_e55.quadrature + _e57.x);
-    let _e61 = (*sum);
-    let _e63 = a_2;
-    let _e65 = slope_6;
-    let _e68 = value_5;
-    let _e71 = wave_6;
-    (*sum).quadrature_gradient = (_e61.quadrature_gradient + ((_e63.x * _e65) - ((6.2831855f * _e68.y) * _e71)));
-    return;
+fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2f, wave_in: vec2f, d: vec2f, x: vec2f,
+                                y: vec2f) {
+    var wave = wave_in;
+    wave = clamp(wave, vec2f(-1.0e6), vec2f(1.0e6));
+    let a = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
+    let value = x.x * y.x * a; let slope = vec2f(x.y * y.x, x.x * y.y);
+    (*sum).noise += value.y;
+    (*sum).gradient += a.y * slope + 6.2831853 * value.x * wave;
+    (*sum).quadrature += value.x;
+    (*sum).quadrature_gradient += a.x * slope - 6.2831853 * value.y * wave;
 }
 
-fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
-    var waves_1: GaborWaves;
-    var salt_4: u32;
-    var x_6: GaborImplAxis;
-    var y_5: GaborImplAxis;
-    var stretch_2: vec2<f32>;
-    var sum_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var j_1: i32 = 0i;
-    var i: i32;
-    var amplitude_3: vec2<f32>;
-    var d_1: vec2<f32>;
-    var field_4: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var local_11: f32;
-    waves_1 = waves;
-    let _e4 = gabor_impl_salt(seed);
-    salt_4 = _e4;
-    let _e12 = salt_4;
-    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.radius.x);
-    x_6 = _e16;
-    let _e24 = salt_4;
-    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.radius.y);
-    y_5 = _e30;
-    stretch_2 = (place.radius / vec2(1.5f));
-    loop {
-        let _e51 = j_1;
-        if !((_e51 < 3i)) {
-            break;
-        }
-        {
-            i = 0i;
-            loop {
-                let _e60 = i;
-                if !((_e60 < 3i)) {
-                    break;
-                }
-                {
-                    let _e67 = i;
-                    let _e70 = x_6.word[_e67];
-                    let _e71 = j_1;
-                    let _e74 = y_5.word[_e71];
-                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.moment);
-                    amplitude_3 = _e77;
-                    let _e79 = x_6;
-                    let _e81 = i;
-                    let _e86 = y_5;
-                    let _e88 = j_1;
-                    d_1 = (vec2<f32>((_e79.offset - f32((_e81 - 1i))), (_e86.offset - f32((_e88 - 1i)))) / place.radius);
-                    let _e98 = amplitude_3;
-                    let _e100 = j_1;
-                    let _e102 = i;
-                    let _e106 = waves_1.wave[((3i * _e100) + _e102)];
-                    let _e107 = d_1;
-                    let _e108 = i;
-                    let _e111 = x_6.node[_e108];
-                    let _e113 = stretch_2;
-                    let _e115 = i;
-                    let _e118 = x_6.node[_e115];
-                    let _e122 = j_1;
-                    let _e125 = y_5.node[_e122];
-                    let _e127 = stretch_2;
-                    let _e129 = j_1;
-                    let _e132 = y_5.node[_e129];
-                    gabor_impl_add_directed_wave((&sum_6), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
-                }
-                continuing {
-                    let _e64 = i;
-                    i = (_e64 + 1i);
-                }
-            }
-        }
-        continuing {
-            let _e55 = j_1;
-            j_1 = (_e55 + 1i);
+fn gabor_field_waves(place: GaborPlace, waves_in: GaborWaves, seed: u32) -> GaborField {
+    var waves = waves_in;
+    let salt = gabor_impl_salt(seed);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                      place.radius.y);
+    let stretch = place.radius / GABOR_RADIUS;
+    var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    for (var j = 0; j < 3; j++) {
+        for (var i = 0; i < 3; i++) {
+            let amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
+            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / place.radius;
+            gabor_impl_add_directed_wave(&sum, amplitude, waves.wave[3 * j + i], d,
+                                         vec2f(x.node[i].x, stretch.x * x.node[i].z),
+                                         vec2f(y.node[j].x, stretch.y * y.node[j].z));
         }
     }
-    let _e147 = sum_6;
-    if false {
-        local_11 = 1f;
-    } else {
-        local_11 = 1.125f;
-    }
-    let _e159 = local_11;
-    gabor_impl_add_field((&field_4), _e147, (1f / (1459955300000000000000000000f * _e159)), vec2(1f));
-    let _e165 = field_4;
-    return _e165;
+    var field = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    gabor_impl_add_field(&field, sum, 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY), vec2f(1.0));
+    return field;
 }
 

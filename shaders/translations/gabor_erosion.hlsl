@@ -1,8 +1,7 @@
 // Generated from gabor_erosion.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_erosion.hlsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
-//
-// Paste or include this file after gabor_noise.hlsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -14,7 +13,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl before gabor_erosion.hlsl
+#include "gabor_noise.hlsl"
 #endif
 #ifndef GABOR_EROSION_HLSL
 #define GABOR_EROSION_HLSL 1

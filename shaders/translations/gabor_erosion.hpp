@@ -1,9 +1,8 @@
 // clang-format off
 // Generated from gabor_erosion.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_erosion.hpp: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
-//
-// Paste or include this file after gabor_noise.hpp.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -14,10 +13,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifndef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp before gabor_erosion.hpp
+#include "gabor_noise.hpp"
 #endif
 #ifndef GABOR_EROSION_HPP
 #define GABOR_EROSION_HPP 1

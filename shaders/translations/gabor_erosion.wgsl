@@ -1,14 +1,12 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 74c6457dc096269c.
 // Paste it after gabor_noise.wgsl.
+// Constants that you may edit: GABOR_EROSION_GLSL.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
-// Paste or include this file after gabor_noise.wgsl.
-//
-//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
-//     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     vec4f cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     let hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
+//     let rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
+//     let cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -18,59 +16,62 @@
 // A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
     height: f32,
-    slope: vec2<f32>, // the derivatives of the height along x and y
-    ridge: f32, // from -1 in creases and valleys to 1 on ridges and peaks
-    curvature: vec3<f32>, // the second derivatives of the height: xx, xy and yy
-    ridge_slope: vec2<f32>, // the derivatives of ridge
+    slope: vec2f,       // the derivatives of the height along x and y
+    ridge: f32,         // from -1 in creases and valleys to 1 on ridges and peaks
+    curvature: vec3f,   // the second derivatives of the height: xx, xy and yy
+    ridge_slope: vec2f, // the derivatives of ridge
 }
 
 struct GaborErosion {
-    octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
-    frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    strength: f32, // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
-    lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
-    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
-    detail: f32, // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
-    uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
-    ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
+    octaves: i32,         // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
+    frequency: f32,       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    strength: f32,        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    lacunarity: f32,      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
+    gain: f32,            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
+                          // for equal slopes
+    onset: f32,           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+                          // the rms slope of a map leaves its valleys open
+    detail: f32,          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    uniformity: f32,      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
+                          // for even stripes
+    ridge_rounding: f32,  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
-    gully_weight: f32, // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
-    branching: f32, // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
+    gully_weight: f32,    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    branching: f32,       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 }
 
-// GaborErosion gabor_erosion()
+// fn gabor_erosion() -> GaborErosion
 //     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
-// GaborTerrain gabor_terrain(vec2f p, u32 seed)
+// fn gabor_terrain(p: vec2f, seed: u32) -> GaborTerrain
 //     Hills to erode: about four units wide, with mean height 0, rms slope 0.637 and continuous curvature. The variance
 //     of the height differs by up to 17 % between the positions in a square unit.
 
-// GaborTerrain gabor_eroded(vec2f p, GaborTerrain base, GaborErosion erosion, u32 seed)
+// fn gabor_eroded(p: vec2f, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain
 //     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
 //     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
 //     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
 //     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
 //     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
-// vec4f gabor_ground(GaborTerrain terrain)
+// fn gabor_ground(terrain: GaborTerrain) -> vec4f
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
 //     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
 //     -1 to 1, as those of gabor_terrain.
 
-struct GaborTerrainPlace {
-    cell: vec2<i32>, // any integers: the world wraps around after 2^32 cells along each axis
-    local: vec2<f32>, // most precise in [0, 1)^2
-    period: vec2<f32>, // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
+struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(vec2i(0), p, vec2f(0.0)) for a point
+    cell: vec2i,   // any integers: the world wraps around after 2^32 cells along each axis
+    local: vec2f,  // most precise in [0, 1)^2
+    period: vec2f, // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
 }
 
-// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, u32 seed)
-// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion,
+// fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) -> GaborTerrain
+// fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborTerrain, GaborErosion erosion, -> GaborTerrain
 //                              u32 seed)
 //     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
 //     the mean height: dx and dy are dpdx(p) and dpdy(p), or vec2f(0.0) for no filter, and slopes are derivatives for a
 //     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
-//     local is rounded to a f32. The nodes per unit of p are a multiple of 1 / 65536, so a mountain that is twice as
+//     local is rounded to an f32. The nodes per unit of p are a multiple of 1 / 65536, so a mountain that is twice as
 //     large and has half the frequency looks the same only near the origin: within 3e-4 of its height up to 10 units
 //     away, and 3e-3 up to 100.
 
@@ -82,143 +83,62 @@ struct GaborTerrainPlace {
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
-    var rounded: u32;
-    var place_3: GaborPlace;
-    var low: vec2<u32>;
-    var high: vec2<u32>;
-    rounded = u32(((clamp(nodes, 0.0001f, 30000f) * 65536f) + 0.5f));
-    let _e15 = gabor_place(vec2(0i), vec2(0f));
-    place_3 = _e15;
-    let _e18 = rounded;
-    place_3.radius = vec2((f32(_e18) / 65536f));
-    let _e28 = rounded;
-    low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
-    let _e35 = rounded;
-    let _e46 = rounded;
-    high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e46 & 65535u)));
-    let _e53 = high;
-    let _e54 = low;
-    place_3.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
-    let _e61 = low;
-    let _e70 = place_3;
-    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
-    if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
-        let _e83 = place_3;
-        return _e83;
-    }
-    let _e86 = place_3;
-    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
-    if (ground.period.x > 0f) {
-        let _e103 = place_3;
-        place_3.radius.x = (f32(_e103.period.x) / ground.period.x);
-    } else {
-        place_3.period.x = 0i;
-    }
-    if (ground.period.y > 0f) {
-        let _e119 = place_3;
-        place_3.radius.y = (f32(_e119.period.y) / ground.period.y);
-    } else {
-        place_3.period.y = 0i;
-    }
-    place_3.cell = vec2(0i);
-    let _e137 = place_3;
-    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
-    let _e140 = place_3;
-    return _e140;
+    let rounded = u32(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
+    var place = gabor_place(vec2i(0), vec2f(0.0));
+    place.radius = vec2f(f32(rounded) / 65536.0);
+    let low = (vec2u(ground.cell) & vec2u(0xffffu)) * (rounded & 0xffffu);
+    let high = vec2u(ground.cell) * (rounded >> 16u) + vec2u(ground.cell >> vec2u(vec2i(16))) * (rounded & 0xffffu);
+    place.cell = vec2i(high + (low >> vec2u(16u)));
+    place.local = vec2f(low & vec2u(0xffffu)) / 65536.0 + ground.local * place.radius;
+    if (ground.period.x <= 0.0 && ground.period.y <= 0.0) { return place; }
+    place.period = vec2i(max(floor(ground.period * place.radius + 0.5), vec2f(4.0)));
+    if (ground.period.x > 0.0) { place.radius.x = f32(place.period.x) / ground.period.x; } else { place.period.x = 0; }
+    if (ground.period.y > 0.0) { place.radius.y = f32(place.period.y) / ground.period.y; } else { place.period.y = 0; }
+    place.cell = vec2i(0);
+    place.local = (vec2f(ground.cell) + ground.local) * place.radius;
+    return place;
 }
 
 // Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
 // spacings beyond the second node.
-fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, curvature: ptr<function, vec4<f32>>) {
-    var u_1: f32;
-    u_1 = (1f - t);
-    let _e7 = u_1;
-    let _e8 = u_1;
-    let _e10 = u_1;
-    let _e17 = u_1;
-    let _e23 = u_1;
-    let _e25 = u_1;
-    (*value) = (vec4<f32>(((_e7 * _e8) * _e10), (4f - (((3f * t) * t) * (1f + _e17))), (4f - (((3f * _e23) * _e25) * (1f + t))), ((t * t) * t)) / vec4(6f));
-    let _e38 = u_1;
-    let _e40 = u_1;
-    let _e47 = u_1;
-    let _e50 = u_1;
-    (*slope) = (0.5f * vec4<f32>((-(_e38) * _e40), (t * ((3f * t) - 4f)), (_e47 * (4f - (3f * _e50))), (t * t)));
-    let _e57 = u_1;
-    let _e63 = u_1;
-    (*curvature) = vec4<f32>(_e57, ((3f * t) - 2f), ((3f * _e63) - 2f), t);
-    return;
+fn gabor_impl_splines(t: f32, value: ptr<function, vec4f>, slope: ptr<function, vec4f>,
+                      curvature: ptr<function, vec4f>) {
+    let u = 1.0 - t;
+    *value = vec4f(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
+    *slope = 0.5 * vec4f(-u * u, t * (3.0 * t - 4.0), u * (4.0 - 3.0 * u), t * t);
+    *curvature = vec4f(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
 }
 
-fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
-    var first_1: i32;
-    var second_2: i32;
-    var third_2: i32;
-    let _e5 = gabor_impl_wrap((index - 1i), period);
-    first_1 = _e5;
-    let _e7 = first_1;
-    let _e8 = gabor_impl_next_node(_e7, period);
-    second_2 = _e8;
-    let _e10 = second_2;
-    let _e11 = gabor_impl_next_node(_e10, period);
-    third_2 = _e11;
-    let _e13 = first_1;
-    let _e14 = gabor_impl_line_word(_e13, salt);
-    let _e15 = second_2;
-    let _e16 = gabor_impl_line_word(_e15, salt);
-    let _e17 = third_2;
-    let _e18 = gabor_impl_line_word(_e17, salt);
-    let _e19 = third_2;
-    let _e20 = gabor_impl_next_node(_e19, period);
-    let _e21 = gabor_impl_line_word(_e20, salt);
-    return vec4<u32>(_e14, _e16, _e18, _e21);
+fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4u {
+    let first = gabor_impl_wrap(index - 1, period);
+    let second = gabor_impl_next_node(first, period);
+    let third = gabor_impl_next_node(second, period);
+    return vec4u(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Two noises and their derivatives.
 struct GaborImplHills {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
-    curvature_xx: vec2<f32>,
-    curvature_xy: vec2<f32>,
-    curvature_yy: vec2<f32>,
+    value: vec2f,
+    slope_x: vec2f,
+    slope_y: vec2f,
+    curvature_xx: vec2f,
+    curvature_xy: vec2f,
+    curvature_yy: vec2f,
 }
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
 // derivatives.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborImplHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
-    var a_2: vec4<f32>;
-    var b_2: vec4<f32>;
-    var row_1: vec2<f32>;
-    var along_x_1: vec2<f32>;
-    a_2 = vec4<f32>(vec4<i32>(words));
-    b_2 = vec4<f32>(vec4<i32>((words << vec4(16u))));
-    let _e15 = a_2;
-    let _e17 = b_2;
-    row_1 = vec2<f32>(dot(x, _e15), dot(x, _e17));
-    let _e21 = a_2;
-    let _e23 = b_2;
-    along_x_1 = vec2<f32>(dot(slope_x, _e21), dot(slope_x, _e23));
-    let _e28 = (*sum);
-    let _e31 = row_1;
-    (*sum).value = (_e28.value + (y.x * _e31));
-    let _e35 = (*sum);
-    let _e38 = along_x_1;
-    (*sum).slope_x = (_e35.slope_x + (y.x * _e38));
-    let _e42 = (*sum);
-    let _e45 = row_1;
-    (*sum).slope_y = (_e42.slope_y + (y.y * _e45));
-    let _e49 = (*sum);
-    let _e52 = a_2;
-    let _e54 = b_2;
-    (*sum).curvature_xx = (_e49.curvature_xx + (y.x * vec2<f32>(dot(curvature_x, _e52), dot(curvature_x, _e54))));
-    let _e60 = (*sum);
-    let _e63 = along_x_1;
-    (*sum).curvature_xy = (_e60.curvature_xy + (y.y * _e63));
-    let _e67 = (*sum);
-    let _e70 = row_1;
-    (*sum).curvature_yy = (_e67.curvature_yy + (y.z * _e70));
-    return;
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborImplHills>, words: vec4u, x: vec4f, slope_x: vec4f,
+                           curvature_x: vec4f, y: vec3f) {
+    let a = vec4f(vec4i(words)); let b = vec4f(vec4i(words << vec4u(16u)));
+    let row = vec2f(dot(x, a), dot(x, b)); let along_x = vec2f(dot(slope_x, a), dot(slope_x, b));
+    (*sum).value += y.x * row;
+    (*sum).slope_x += y.x * along_x;
+    (*sum).slope_y += y.y * row;
+    (*sum).curvature_xx += y.x * vec2f(dot(curvature_x, a), dot(curvature_x, b));
+    (*sum).curvature_xy += y.y * along_x;
+    (*sum).curvature_yy += y.z * row;
 }
 
 // Wide hills, plus small ones along the contours of a second noise; the higher the wide hills, the higher the small
@@ -226,364 +146,104 @@ fn gabor_impl_add_hill_row(sum: ptr<function, GaborImplHills>, words: vec4<u32>,
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
-fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
-    var place_4: GaborPlace;
-    var zero_1: vec2<f32>;
-    var x_6: vec4<f32>;
-    var y_5: vec4<f32>;
-    var slope_x_1: vec4<f32>;
-    var slope_y: vec4<f32>;
-    var curvature_x_1: vec4<f32>;
-    var curvature_y: vec4<f32>;
-    var salt_5: u32;
-    var columns: vec4<u32>;
-    var rows: vec4<u32>;
-    var hills: GaborImplHills = GaborImplHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
-    var s_2: vec4<f32>;
-    var area: f32;
-    var kept: f32;
-    var unit: f32;
-    var noise_1: vec2<f32>;
-    var wave_5: vec2<f32>;
-    var rough: f32;
-    var height: f32;
-    var first_2: vec2<f32>;
-    var second_3: vec2<f32>;
-    var along_x_2: vec2<f32>;
-    var along_y_1: vec2<f32>;
-    var slope_7: vec2<f32>;
-    var curvature_1: vec3<f32>;
-    var to_ridge: f32;
-    let _e5 = gabor_impl_ground(ground, 1f);
-    place_4 = _e5;
-    let _e7 = place_4;
-    zero_1 = floor(_e7.local);
-    let _e17 = place_4;
-    let _e20 = zero_1;
-    gabor_impl_splines((_e17.local.x - _e20.x), (&x_6), (&slope_x_1), (&curvature_x_1));
-    let _e29 = place_4;
-    let _e32 = zero_1;
-    gabor_impl_splines((_e29.local.y - _e32.y), (&y_5), (&slope_y), (&curvature_y));
-    let _e41 = gabor_impl_salt(seed);
-    salt_5 = _e41;
-    let _e43 = place_4;
-    let _e46 = zero_1;
-    let _e50 = place_4;
-    let _e53 = salt_5;
-    let _e54 = gabor_impl_four_line_words((_e43.cell.x + i32(_e46.x)), _e50.period.x, _e53);
-    columns = _e54;
-    let _e56 = place_4;
-    let _e59 = zero_1;
-    let _e63 = place_4;
-    let _e66 = salt_5;
-    let _e69 = gabor_impl_four_line_words((_e56.cell.y + i32(_e59.y)), _e63.period.y, (_e66 ^ 1540483477u));
-    rows = _e69;
-    let _e86 = columns;
-    let _e87 = rows;
-    let _e90 = x_6;
-    let _e91 = slope_x_1;
-    let _e92 = curvature_x_1;
-    let _e93 = y_5;
-    let _e95 = slope_y;
-    let _e97 = curvature_y;
-    gabor_impl_add_hill_row((&hills), (_e86 * _e87.x), _e90, _e91, _e92, vec3<f32>(_e93.x, _e95.x, _e97.x));
-    let _e102 = columns;
-    let _e103 = rows;
-    let _e106 = x_6;
-    let _e107 = slope_x_1;
-    let _e108 = curvature_x_1;
-    let _e109 = y_5;
-    let _e111 = slope_y;
-    let _e113 = curvature_y;
-    gabor_impl_add_hill_row((&hills), (_e102 * _e103.y), _e106, _e107, _e108, vec3<f32>(_e109.y, _e111.y, _e113.y));
-    let _e118 = columns;
-    let _e119 = rows;
-    let _e122 = x_6;
-    let _e123 = slope_x_1;
-    let _e124 = curvature_x_1;
-    let _e125 = y_5;
-    let _e127 = slope_y;
-    let _e129 = curvature_y;
-    gabor_impl_add_hill_row((&hills), (_e118 * _e119.z), _e122, _e123, _e124, vec3<f32>(_e125.z, _e127.z, _e129.z));
-    let _e134 = columns;
-    let _e135 = rows;
-    let _e138 = x_6;
-    let _e139 = slope_x_1;
-    let _e140 = curvature_x_1;
-    let _e141 = y_5;
-    let _e143 = slope_y;
-    let _e145 = curvature_y;
-    gabor_impl_add_hill_row((&hills), (_e134 * _e135.w), _e138, _e139, _e140, vec3<f32>(_e141.w, _e143.w, _e145.w));
-    s_2 = clamp(vec4<f32>(dx.x, dx.y, dy.x, dy.y), vec4(-1000000000f), vec4(1000000000f));
-    let _e161 = s_2;
-    let _e163 = s_2;
-    let _e166 = s_2;
-    let _e168 = s_2;
-    area = ((_e161.x * _e163.w) - (_e166.y * _e168.z));
-    let _e175 = s_2;
-    let _e176 = s_2;
-    let _e181 = area;
-    let _e183 = area;
-    kept = inverseSqrt(((1f + (0.34768212f * dot(_e175, _e176))) + ((0.12088286f * _e181) * _e183)));
-    let _e189 = kept;
-    unit = (0.000000001682536f * _e189);
-    let _e192 = unit;
-    let _e193 = hills;
-    noise_1 = (_e192 * _e193.value);
-    let _e198 = kept;
-    let _e199 = kept;
-    let _e206 = noise_1;
-    let _e209 = gabor_impl_wave((0.4f * _e206.y));
-    wave_5 = (exp((3.1582735f * ((_e198 * _e199) - 1f))) * _e209);
-    let _e214 = noise_1;
-    rough = (0.3f + (0.12f * _e214.x));
-    let _e219 = noise_1;
-    let _e221 = rough;
-    let _e222 = wave_5;
-    height = (_e219.x + (_e221 * _e222.y));
-    let _e228 = unit;
-    let _e232 = wave_5;
-    let _e237 = rough;
-    let _e239 = wave_5;
-    first_2 = ((0.33f * _e228) * vec2<f32>((1f + (0.12f * _e232.y)), ((2.5132742f * _e237) * _e239.x)));
-    let _e246 = unit;
-    let _e248 = unit;
-    let _e251 = wave_5;
-    let _e256 = rough;
-    let _e258 = wave_5;
-    second_3 = (((0.33f * _e246) * _e248) * vec2<f32>((0.3015929f * _e251.x), ((-6.316547f * _e256) * _e258.y)));
-    let _e264 = hills;
-    along_x_2 = _e264.slope_x;
-    let _e267 = hills;
-    along_y_1 = _e267.slope_y;
-    let _e270 = place_4;
-    let _e272 = first_2;
-    let _e273 = along_x_2;
-    let _e275 = first_2;
-    let _e276 = along_y_1;
-    slope_7 = (_e270.radius * vec2<f32>(dot(_e272, _e273), dot(_e275, _e276)));
-    let _e281 = first_2;
-    let _e282 = hills;
-    let _e285 = along_x_2;
-    let _e288 = second_3;
-    let _e291 = along_x_2;
-    let _e294 = second_3;
-    let _e296 = along_x_2;
-    let _e302 = first_2;
-    let _e303 = hills;
-    let _e306 = second_3;
-    let _e308 = along_x_2;
-    let _e310 = along_y_1;
-    let _e313 = along_x_2;
-    let _e315 = along_y_1;
-    let _e321 = second_3;
-    let _e323 = along_x_2;
-    let _e326 = along_y_1;
-    let _e330 = first_2;
-    let _e331 = hills;
-    let _e334 = along_y_1;
-    let _e337 = second_3;
-    let _e340 = along_y_1;
-    let _e343 = second_3;
-    let _e345 = along_y_1;
-    curvature_1 = vec3<f32>((dot(_e281, _e282.curvature_xx) + (_e285.y * (((2f * _e288.x) * _e291.x) + (_e294.y * _e296.y)))), ((dot(_e302, _e303.curvature_xy) + (_e306.x * ((_e308.x * _e310.y) + (_e313.y * _e315.x)))) + ((_e321.y * _e323.y) * _e326.y)), (dot(_e330, _e331.curvature_yy) + (_e334.y * (((2f * _e337.x) * _e340.x) + (_e343.y * _e345.y)))));
-    let _e353 = curvature_1;
-    let _e354 = place_4;
-    let _e356 = place_4;
-    let _e359 = (_e354.radius * _e356.radius.x);
-    let _e360 = place_4;
-    let _e363 = place_4;
-    curvature_1 = (_e353 * vec3<f32>(_e359.x, _e359.y, (_e360.radius.y * _e363.radius.y)));
-    let _e372 = height;
-    let _e373 = height;
-    to_ridge = inverseSqrt((1f + (_e372 * _e373)));
-    let _e379 = height;
-    let _e381 = slope_7;
-    let _e382 = height;
-    let _e383 = to_ridge;
-    let _e385 = curvature_1;
-    let _e386 = to_ridge;
-    let _e387 = to_ridge;
-    let _e389 = to_ridge;
-    let _e393 = slope_7;
-    return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
+fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) -> GaborTerrain {
+    let place = gabor_impl_ground(ground, 1.0);
+    let zero = floor(place.local);
+    var x: vec4f; var y: vec4f; var slope_x: vec4f; var slope_y: vec4f; var curvature_x: vec4f; var curvature_y: vec4f;
+    gabor_impl_splines(place.local.x - zero.x, &x, &slope_x, &curvature_x);
+    gabor_impl_splines(place.local.y - zero.y, &y, &slope_y, &curvature_y);
+    let salt = gabor_impl_salt(seed);
+    let columns = gabor_impl_four_line_words(place.cell.x + i32(zero.x), place.period.x, salt);
+    let rows = gabor_impl_four_line_words(place.cell.y + i32(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
+    var hills = GaborImplHills(vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0));
+    gabor_impl_add_hill_row(&hills, columns * rows.x, x, slope_x, curvature_x, vec3f(y.x, slope_y.x, curvature_y.x));
+    gabor_impl_add_hill_row(&hills, columns * rows.y, x, slope_x, curvature_x, vec3f(y.y, slope_y.y, curvature_y.y));
+    gabor_impl_add_hill_row(&hills, columns * rows.z, x, slope_x, curvature_x, vec3f(y.z, slope_y.z, curvature_y.z));
+    gabor_impl_add_hill_row(&hills, columns * rows.w, x, slope_x, curvature_x, vec3f(y.w, slope_y.w, curvature_y.w));
+    let s = clamp(vec4f(dx, dy), vec4f(-1.0e9), vec4f(1.0e9));
+    let area = s.x * s.w - s.y * s.z;
+    let kept = inverseSqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);
+    let unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    let noise = unit * hills.value; let wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
+    let rough = 0.3 + 0.12 * noise.x; let height = noise.x + rough * wave.y;
+    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
+    // by ab and bb:
+    let first = 0.33 * unit * vec2f(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    let second = 0.33 * unit * unit * vec2f(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
+    let along_x = hills.slope_x; let along_y = hills.slope_y;
+    let slope = place.radius * vec2f(dot(first, along_x), dot(first, along_y));
+    var curvature = vec3f(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
+               dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                   + second.y * along_x.y * along_y.y,
+               dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
+    curvature *= vec3f(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    let to_ridge = inverseSqrt(1.0 + height * height);
+    return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,
+                        to_ridge * to_ridge * to_ridge / 0.33 * slope);
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in
 // a direction.
 struct GaborImplBentField {
-    value: vec2<f32>,
-    along_x: vec2<f32>,
-    along_y: vec2<f32>,
-    bent: vec2<f32>,
+    value: vec2f,
+    along_x: vec2f,
+    along_y: vec2f,
+    bent: vec2f,
 }
 
 // Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
-fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborImplAxis, y: GaborImplAxis, j: i32) {
-    var before: vec4<f32> = vec4(0f);
-    var row_2: vec4<f32> = vec4(0f);
-    var after: vec4<f32> = vec4(0f);
-    var moved: vec2<f32>;
-    var here: vec4<f32> = vec4(0f);
-    let _e25 = gabor_impl_amplitude((x.word[0] * y.word[j]));
-    gabor_impl_add_products((&before), x.node[0], _e25);
-    let _e37 = gabor_impl_amplitude((x.word[1] * y.word[j]));
-    gabor_impl_add_products((&row_2), x.node[1], _e37);
-    if true {
-        let _e52 = gabor_impl_amplitude((x.word[2] * y.word[j]));
-        gabor_impl_add_products((&after), x.node[2], _e52);
+fn gabor_impl_add_bent_row(sum: ptr<function, vec4f>, along_y: ptr<function, vec2f>, places: ptr<function, vec4f>,
+                           x: GaborImplAxis, y_in: GaborImplAxis, j: i32) {
+    var y = y_in;
+    var before = vec4f(0.0); var row = vec4f(0.0); var after = vec4f(0.0);
+    gabor_impl_add_products(&before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
+    gabor_impl_add_products(&row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
+    if (GABOR_TAPS > 2) { gabor_impl_add_products(&after, x.node[2], gabor_impl_amplitude(x.word[2] * y.word[j])); }
+    var moved = after.xy - before.xy;
+    row += before + after;
+    if (GABOR_TAPS > 3) {
+        after = vec4f(0.0);
+        gabor_impl_add_products(&after, x.node[3], gabor_impl_amplitude(x.word[3] * y.word[j]));
+        moved += 2.0 * after.xy;
+        row += after;
     }
-    let _e54 = after;
-    let _e56 = before;
-    moved = (_e54.xy - _e56.xy);
-    let _e60 = row_2;
-    let _e61 = before;
-    let _e62 = after;
-    row_2 = (_e60 + (_e61 + _e62));
-    if false {
-        {
-            after = vec4(0f);
-            let _e80 = gabor_impl_amplitude((x.word[3] * y.word[j]));
-            gabor_impl_add_products((&after), x.node[3], _e80);
-            let _e82 = moved;
-            let _e84 = after;
-            moved = (_e82 + (2f * _e84.xy));
-            let _e88 = row_2;
-            let _e89 = after;
-            row_2 = (_e88 + _e89);
-        }
-    }
-    let _e95 = row_2;
-    gabor_impl_add_products((&here), _e95, y.node[j].xy);
-    let _e100 = (*sum);
-    let _e101 = here;
-    (*sum) = (_e100 + _e101);
-    let _e103 = (*along_y);
-    let _e104 = row_2;
-    let _e109 = gabor_impl_product(_e104.xy, y.node[j].zw);
-    (*along_y) = (_e103 + _e109);
-    let _e111 = (*places);
-    let _e112 = moved;
-    let _e116 = gabor_impl_product(_e112, y.node[j].xy);
-    let _e120 = here;
-    let _e122 = (f32((j - 1i)) * _e120.xy);
-    (*places) = (_e111 + vec4<f32>(_e116.x, _e116.y, _e122.x, _e122.y));
-    return;
+    var here = vec4f(0.0);
+    gabor_impl_add_products(&here, row, y.node[j].xy);
+    *sum += here;
+    *along_y += gabor_impl_product(row.xy, y.node[j].zw);
+    *places += vec4f(gabor_impl_product(moved, y.node[j].xy), f32(j - 1) * here.xy);
 }
 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
-fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborImplBentField {
-    var direction_1: vec2<f32>;
-    var salt_6: u32;
-    var x_8: GaborImplAxis;
-    var y_7: GaborImplAxis;
-    var sum_7: vec4<f32> = vec4(0f);
-    var places_1: vec4<f32> = vec4(0f);
-    var along_y_3: vec2<f32> = vec2(0f);
-    var turn_6: vec2<f32>;
-    var field_4: GaborField;
-    var value_6: vec2<f32>;
-    var nodes_2: vec2<f32>;
-    var local_11: f32;
-    var bent: vec2<f32>;
-    direction_1 = direction;
-    let _e5 = gabor_impl_salt(seed);
-    salt_6 = _e5;
-    let _e13 = salt_6;
-    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, wave.x, place.radius.x);
-    x_8 = _e17;
-    let _e19 = salt_6;
-    salt_6 = (_e19 ^ 1540483477u);
-    let _e28 = salt_6;
-    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e28, wave.y, place.radius.y);
-    y_7 = _e32;
-    let _e46 = x_8;
-    let _e47 = y_7;
-    gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e46, _e47, 0i);
-    let _e55 = x_8;
-    let _e56 = y_7;
-    gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e55, _e56, 1i);
-    if true {
-        let _e67 = x_8;
-        let _e68 = y_7;
-        gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e67, _e68, 2i);
-    }
-    if false {
-        let _e79 = x_8;
-        let _e80 = y_7;
-        gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e79, _e80, 3i);
-    }
-    let _e85 = x_8;
-    let _e87 = x_8;
-    let _e90 = y_7;
-    let _e92 = y_7;
-    let _e96 = gabor_impl_wave(((_e85.offset * _e87.turns) + (_e90.offset * _e92.turns)));
-    turn_6 = _e96;
-    let _e98 = sum_7;
-    let _e99 = along_y_3;
-    let _e105 = turn_6;
-    let _e113 = gabor_impl_field(_e98, vec4<f32>(_e99.x, _e99.y, 0f, 0f), _e105, wave, (place.radius / vec2(1.5f)));
-    field_4 = _e113;
-    let _e115 = field_4;
-    let _e117 = field_4;
-    value_6 = vec2<f32>(_e115.quadrature, _e117.noise);
-    let _e121 = direction_1;
-    direction_1 = (_e121 * (vec2(6.2831855f) / place.radius));
-    let _e127 = direction_1;
-    let _e129 = places_1;
-    let _e132 = direction_1;
-    let _e134 = places_1;
-    nodes_2 = ((_e127.x * _e129.xy) + (_e132.y * _e134.zw));
-    let _e139 = direction_1;
-    let _e140 = x_8;
-    let _e142 = y_7;
-    let _e146 = value_6;
-    let _e148 = nodes_2;
-    let _e149 = turn_6;
-    let _e150 = gabor_impl_product(_e148, _e149);
-    if false {
-        local_11 = 1f;
-    } else {
-        local_11 = 1.125f;
-    }
-    let _e161 = local_11;
-    bent = ((dot(_e139, vec2<f32>(_e140.offset, _e142.offset)) * _e146) - (_e150 / vec2((1459955300000000000000000000f * _e161))));
-    let _e167 = value_6;
-    let _e168 = field_4;
-    let _e171 = field_4;
-    let _e175 = field_4;
-    let _e178 = field_4;
-    let _e182 = bent;
-    let _e185 = bent;
-    return GaborImplBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
+fn gabor_impl_bent_field(place: GaborPlace, wave: vec2f, direction_in: vec2f, seed: u32) -> GaborImplBentField {
+    var direction = direction_in;
+    var salt = gabor_impl_salt(seed);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    salt ^= GABOR_IMPL_ROWS;
+    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    var sum = vec4f(0.0); var places = vec4f(0.0);
+    var along_y = vec2f(0.0);
+    gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 0);
+    gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 1);
+    if (GABOR_TAPS > 2) { gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 2); }
+    if (GABOR_TAPS > 3) { gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 3); }
+    let turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
+    let field = gabor_impl_field(sum, vec4f(along_y, 0.0, 0.0), turn, wave, place.radius / GABOR_RADIUS);
+    let value = vec2f(field.quadrature, field.noise);
+    direction *= 6.2831853 / place.radius;
+    let nodes = direction.x * places.xy + direction.y * places.zw;
+    let bent = dot(direction, vec2f(x.offset, y.offset)) * value
+              - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborImplBentField(value, vec2f(field.quadrature_gradient.x, field.gradient.x),
+                              vec2f(field.quadrature_gradient.y, field.gradient.y), vec2f(-bent.y, bent.x));
 }
 
 // A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t
 // and by the rounding.
-fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
-    var local_12: f32;
-    var part: f32;
-    var s_3: f32;
-    var slope_8: f32;
-    if (t < rounding) {
-        local_12 = (t / rounding);
-    } else {
-        local_12 = 1f;
-    }
-    let _e6 = local_12;
-    part = _e6;
-    let _e9 = part;
-    let _e11 = part;
-    s_3 = max((1f - (_e9 * (t - ((0.5f * _e11) * rounding)))), 0f);
-    let _e20 = s_3;
-    let _e21 = part;
-    slope_8 = (_e20 * _e21);
-    let _e25 = s_3;
-    let _e26 = s_3;
-    let _e30 = slope_8;
-    let _e32 = slope_8;
-    let _e34 = part;
-    return vec3<f32>((1f - (_e25 * _e26)), (2f * _e30), (-(_e32) * _e34));
+fn gabor_impl_mask(t: f32, rounding: f32) -> vec3f {
+    let part = select(1.0, t / rounding, t < rounding); // how far t is into the rounded start
+    let s = max(1.0 - part * (t - 0.5 * part * rounding), 0.0); let slope = s * part;
+    return vec3f(1.0 - s * s, 2.0 * slope, -slope * part);
 }
 
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
@@ -595,358 +255,95 @@ fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2f(by x, by y).
 // A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
-fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    var steer: vec2<f32>;
-    var steer_x: vec2<f32>;
-    var steer_y: vec2<f32>;
-    var gully: f32;
-    var ridge: f32;
-    var sum_8: f32 = 0f;
-    var gully_slope: vec2<f32>;
-    var sum_slope: vec2<f32> = vec2(0f);
-    var frequency_6: f32;
-    var depth: f32;
-    var mask: f32 = 1f;
-    var open: f32 = 1f;
-    var rounding_1: f32;
-    var mask_slope: vec2<f32> = vec2(0f);
-    var open_slope: vec2<f32> = vec2(0f);
-    var rounded_1: f32;
-    var peak: f32;
-    var rounding_slope: vec2<f32>;
-    var per_onset: f32;
-    var i: i32 = 0i;
-    var steep: f32;
-    var down: vec2<f32>;
-    var across: vec2<f32>;
-    var full: vec3<f32>;
-    var full_slope: vec2<f32>;
-    var wave_7: vec2<f32>;
-    var bend: vec2<f32>;
-    var steps: vec2<f32>;
-    var share: f32;
-    var kept_1: f32;
-    var z_1: vec2<f32>;
-    var z_x: vec2<f32>;
-    var z_y: vec2<f32>;
-    var kept_slope: vec2<f32>;
-    var place_6: GaborPlace;
-    var field_5: GaborImplBentField;
-    var shrink: f32;
-    var crest: f32;
-    var local_13: f32;
-    var side_1: f32;
-    var turns: f32;
-    var turn_7: f32;
-    var turn_slope: vec2<f32>;
-    var wide: f32;
-    var edge: vec3<f32>;
-    var edge_slope: vec2<f32>;
-    var reach_1: f32;
-    steer = base.slope;
-    steer_x = base.curvature.xy;
-    steer_y = base.curvature.yz;
-    gully = base.ridge;
-    ridge = base.ridge;
-    gully_slope = base.ridge_slope;
-    frequency_6 = erosion.frequency;
-    depth = (erosion.strength / erosion.frequency);
-    rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * base.ridge)));
-    rounded_1 = (0.5f * (erosion.ridge_rounding - erosion.crease_rounding));
-    peak = clamp(base.ridge, 0f, 1f);
-    let _e61 = rounded_1;
-    rounding_slope = (_e61 * base.ridge_slope);
-    per_onset = (1f / max(erosion.onset, 0.000001f));
-    loop {
-        let _e73 = i;
-        if !((_e73 < erosion.octaves)) {
-            break;
+fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborTerrain, erosion: GaborErosion,
+                   seed: u32) -> GaborTerrain {
+    var steer = base.slope; var steer_x = base.curvature.xy; var steer_y = base.curvature.yz;
+    var gully = base.ridge; var ridge = base.ridge; var sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
+    var gully_slope = base.ridge_slope; var sum_slope = vec2f(0.0);
+    var frequency = erosion.frequency; var depth = erosion.strength / erosion.frequency;
+    var mask = 1.0; var open = 1.0;
+    var rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
+    var mask_slope = vec2f(0.0); var open_slope = vec2f(0.0);
+    let rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding); let peak = clamp(base.ridge, 0.0, 1.0);
+    var rounding_slope = rounded * base.ridge_slope;
+    let per_onset = 1.0 / max(erosion.onset, 1.0e-6);
+    for (var i = 0; i < erosion.octaves; i++) {
+        let steep = max(length(steer), 1.0e-9);
+        let down = steer / steep; let across = vec2f(-down.y, down.x);
+        let full = gabor_impl_mask(steep * per_onset, rounding);
+        let full_slope = full.y * per_onset * vec2f(dot(down, steer_x), dot(down, steer_y)) + full.z * rounding_slope;
+        mask_slope = full.x * (full.x * mask_slope + 2.0 * mask * full_slope);
+        mask *= full.x * full.x;
+        if (i == 0) {
+            open = mix(mask, 1.0, peak * peak);
+            open_slope = (1.0 - peak * peak) * mask_slope + (1.0 - mask) * 2.0 * peak * base.ridge_slope;
         }
-        {
-            let _e80 = steer;
-            steep = max(length(_e80), 0.000000001f);
-            let _e85 = steer;
-            let _e86 = steep;
-            down = (_e85 / vec2(_e86));
-            let _e90 = down;
-            let _e93 = down;
-            across = vec2<f32>(-(_e90.y), _e93.x);
-            let _e97 = steep;
-            let _e98 = per_onset;
-            let _e100 = rounding_1;
-            let _e101 = gabor_impl_mask((_e97 * _e98), _e100);
-            full = _e101;
-            let _e103 = full;
-            let _e105 = per_onset;
-            let _e107 = down;
-            let _e108 = steer_x;
-            let _e110 = down;
-            let _e111 = steer_y;
-            let _e115 = full;
-            let _e117 = rounding_slope;
-            full_slope = (((_e103.y * _e105) * vec2<f32>(dot(_e107, _e108), dot(_e110, _e111))) + (_e115.z * _e117));
-            let _e121 = full;
-            let _e123 = full;
-            let _e125 = mask_slope;
-            let _e128 = mask;
-            let _e130 = full_slope;
-            mask_slope = (_e121.x * ((_e123.x * _e125) + ((2f * _e128) * _e130)));
-            let _e134 = mask;
-            let _e135 = full;
-            let _e137 = full;
-            mask = (_e134 * (_e135.x * _e137.x));
-            let _e141 = i;
-            if (_e141 == 0i) {
-                {
-                    let _e144 = mask;
-                    let _e146 = peak;
-                    let _e147 = peak;
-                    open = mix(_e144, 1f, (_e146 * _e147));
-                    let _e151 = peak;
-                    let _e152 = peak;
-                    let _e155 = mask_slope;
-                    let _e158 = mask;
-                    let _e162 = peak;
-                    open_slope = (((1f - (_e151 * _e152)) * _e155) + ((((1f - _e158) * 2f) * _e162) * base.ridge_slope));
-                }
-            }
-            let _e167 = frequency_6;
-            let _e168 = across;
-            wave_7 = (_e167 * _e168);
-            let _e171 = frequency_6;
-            let _e172 = steep;
-            let _e174 = across;
-            let _e175 = steer_x;
-            let _e177 = across;
-            let _e178 = steer_y;
-            bend = ((_e171 / _e172) * vec2<f32>(dot(_e174, _e175), dot(_e177, _e178)));
-            let _e183 = wave_7;
-            let _e185 = wave_7;
-            steps = vec2<f32>(dot(_e183, dx), dot(_e185, dy));
-            let _e192 = steps;
-            let _e193 = steps;
-            share = (1.02f * exp((-4.934802f * dot(_e192, _e193))));
-            let _e199 = share;
-            kept_1 = max((_e199 - 0.02f), 0f);
-            z_1 = vec2(0f);
-            z_x = vec2(0f);
-            z_y = vec2(0f);
-            kept_slope = vec2(0f);
-            let _e217 = kept_1;
-            if (_e217 > 0f) {
-                {
-                    let _e226 = frequency_6;
-                    let _e228 = gabor_impl_ground(ground, (1.2f * _e226));
-                    place_6 = _e228;
-                    let _e230 = place_6;
-                    let _e231 = wave_7;
-                    let _e232 = down;
-                    let _e233 = i;
-                    let _e234 = gabor_lobe_seed(seed, _e233);
-                    let _e235 = gabor_impl_bent_field(_e230, _e231, _e232, _e234);
-                    field_5 = _e235;
-                    let _e238 = field_5;
-                    z_1 = (erosion.uniformity * _e238.value);
-                    let _e242 = z_1;
-                    let _e243 = z_1;
-                    shrink = inverseSqrt((1f + dot(_e242, _e243)));
-                    let _e248 = z_1;
-                    let _e249 = shrink;
-                    z_1 = (_e248 * _e249);
-                    let _e251 = shrink;
-                    let _e254 = field_5;
-                    let _e256 = bend;
-                    let _e258 = field_5;
-                    z_x = ((_e251 * erosion.uniformity) * (_e254.along_x - (_e256.x * _e258.bent)));
-                    let _e263 = shrink;
-                    let _e266 = field_5;
-                    let _e268 = bend;
-                    let _e270 = field_5;
-                    z_y = ((_e263 * erosion.uniformity) * (_e266.along_y - (_e268.y * _e270.bent)));
-                    let _e276 = share;
-                    let _e278 = steps;
-                    let _e279 = down;
-                    let _e281 = down;
-                    let _e286 = bend;
-                    kept_slope = (((9.869604f * _e276) * dot(_e278, vec2<f32>(dot(_e279, dx), dot(_e281, dy)))) * _e286);
-                    let _e288 = kept_1;
-                    let _e289 = z_x;
-                    let _e290 = z_1;
-                    let _e291 = z_x;
-                    let _e293 = z_1;
-                    let _e297 = kept_slope;
-                    let _e299 = z_1;
-                    z_x = ((_e288 * (_e289 - (dot(_e290, _e291) * _e293))) + (_e297.x * _e299));
-                    let _e302 = kept_1;
-                    let _e303 = z_y;
-                    let _e304 = z_1;
-                    let _e305 = z_y;
-                    let _e307 = z_1;
-                    let _e311 = kept_slope;
-                    let _e313 = z_1;
-                    z_y = ((_e302 * (_e303 - (dot(_e304, _e305) * _e307))) + (_e311.y * _e313));
-                    let _e316 = z_1;
-                    let _e317 = kept_1;
-                    z_1 = (_e316 * _e317);
-                }
-            }
-            let _e320 = z_1;
-            crest = (erosion.gully_weight * _e320.x);
-            let _e324 = gully_slope;
-            let _e326 = z_x;
-            let _e328 = z_y;
-            let _e332 = mask;
-            let _e335 = crest;
-            let _e336 = gully;
-            let _e338 = mask_slope;
-            gully_slope = (mix(_e324, (erosion.gully_weight * vec2<f32>(_e326.x, _e328.x)), vec2(_e332)) + ((_e335 - _e336) * _e338));
-            let _e341 = gully;
-            let _e342 = crest;
-            let _e343 = mask;
-            gully = mix(_e341, _e342, _e343);
-            let _e345 = ridge;
-            let _e346 = z_1;
-            let _e348 = mask;
-            ridge = mix(_e345, _e346.x, _e348);
-            let _e350 = sum_8;
-            let _e351 = depth;
-            let _e352 = gully;
-            sum_8 = (_e350 + (_e351 * _e352));
-            let _e355 = sum_slope;
-            let _e356 = depth;
-            let _e357 = gully_slope;
-            sum_slope = (_e355 + (_e356 * _e357));
-            let _e360 = z_1;
-            if (_e360.y < 0f) {
-                local_13 = -1f;
-            } else {
-                local_13 = 1f;
-            }
-            let _e368 = local_13;
-            side_1 = _e368;
-            let _e371 = depth;
-            let _e377 = side_1;
-            turns = ((((6.2831855f * _e371) * erosion.branching) * erosion.gully_weight) * _e377);
-            let _e380 = turns;
-            let _e381 = kept_1;
-            let _e383 = mask;
-            turn_7 = ((_e380 * _e381) * _e383);
-            let _e386 = turns;
-            let _e387 = kept_1;
-            let _e388 = mask_slope;
-            let _e390 = mask;
-            let _e391 = kept_slope;
-            turn_slope = (_e386 * ((_e387 * _e388) + (_e390 * _e391)));
-            let _e396 = steer;
-            let _e397 = turn_7;
-            let _e398 = wave_7;
-            steer = (_e396 - (_e397 * _e398));
-            let _e401 = steer_x;
-            let _e402 = turn_7;
-            let _e403 = bend;
-            let _e406 = down;
-            let _e408 = turn_slope;
-            let _e410 = wave_7;
-            steer_x = (_e401 + (((_e402 * _e403.x) * _e406) - (_e408.x * _e410)));
-            let _e414 = steer_y;
-            let _e415 = turn_7;
-            let _e416 = bend;
-            let _e419 = down;
-            let _e421 = turn_slope;
-            let _e423 = wave_7;
-            steer_y = (_e414 + (((_e415 * _e416.y) * _e419) - (_e421.y * _e423)));
-            let _e427 = frequency_6;
-            wide = (_e427 / erosion.frequency);
-            let _e435 = z_1;
-            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e435.x)));
-            let _e440 = rounded_1;
-            let _e441 = z_x;
-            let _e443 = z_y;
-            rounding_slope = (_e440 * vec2<f32>(_e441.x, _e443.x));
-            let _e449 = kept_1;
-            let _e452 = z_1;
-            let _e456 = wide;
-            let _e457 = rounding_1;
-            let _e459 = gabor_impl_mask(((0.5f - (0.5f * _e449)) + abs(_e452.y)), (_e456 * _e457));
-            edge = _e459;
-            let _e461 = edge;
-            let _e463 = side_1;
-            let _e465 = z_x;
-            let _e467 = z_y;
-            let _e472 = edge;
-            let _e475 = kept_slope;
-            let _e478 = edge;
-            let _e480 = wide;
-            let _e482 = rounding_slope;
-            edge_slope = ((((_e461.y * _e463) * vec2<f32>(_e465.y, _e467.y)) - ((0.5f * _e472.y) * _e475)) + ((_e478.z * _e480) * _e482));
-            let _e488 = mask;
-            reach_1 = (1f / (1f + (_e488 * (erosion.detail - 1f))));
-            let _e497 = reach_1;
-            let _e499 = reach_1;
-            let _e500 = edge;
-            let _e503 = mask_slope;
-            let _e505 = mask;
-            let _e506 = edge_slope;
-            mask_slope = ((erosion.detail * _e497) * (((_e499 * _e500.x) * _e503) + (_e505 * _e506)));
-            let _e510 = mask;
-            let _e512 = reach_1;
-            let _e514 = edge;
-            mask = (_e510 * ((erosion.detail * _e512) * _e514.x));
-            let _e518 = frequency_6;
-            frequency_6 = (_e518 * erosion.lacunarity);
-            let _e521 = depth;
-            depth = (_e521 * erosion.gain);
+        let wave = frequency * across;
+        // The wave changes by -down * bend.
+        let bend = frequency / steep * vec2f(dot(across, steer_x), dot(across, steer_y));
+        let steps = vec2f(dot(wave, dx), dot(wave, dy));
+        // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
+        let share = 1.02 * exp(-4.9348022 * dot(steps, steps)); let kept = max(share - 0.02, 0.0);
+        var z = vec2f(0.0); var z_x = vec2f(0.0); var z_y = vec2f(0.0); var kept_slope = vec2f(0.0);
+        if (kept > 0.0) {
+            let place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
+            let field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            z = erosion.uniformity * field.value;
+            let shrink = inverseSqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
+            z *= shrink;
+            z_x = shrink * erosion.uniformity * (field.along_x - bend.x * field.bent);
+            z_y = shrink * erosion.uniformity * (field.along_y - bend.y * field.bent);
+            kept_slope = 9.8696044 * share * dot(steps, vec2f(dot(down, dx), dot(down, dy))) * bend;
+            z_x = kept * (z_x - dot(z, z_x) * z) + kept_slope.x * z;
+            z_y = kept * (z_y - dot(z, z_y) * z) + kept_slope.y * z;
+            z *= kept;
         }
-        continuing {
-            let _e77 = i;
-            i = (_e77 + 1i);
-        }
+        let crest = erosion.gully_weight * z.x;
+        gully_slope = mix(gully_slope, erosion.gully_weight * vec2f(z_x.x, z_y.x), mask) + (crest - gully) * mask_slope;
+        gully = mix(gully, crest, mask);
+        ridge = mix(ridge, z.x, mask);
+        sum += depth * gully;
+        sum_slope += depth * gully_slope;
+        let side = select(1.0, -1.0, z.y < 0.0);
+        let turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
+        let turn = turns * kept * mask;
+        let turn_slope = turns * (kept * mask_slope + mask * kept_slope);
+        steer -= turn * wave;
+        steer_x += turn * bend.x * down - turn_slope.x * wave;
+        steer_y += turn * bend.y * down - turn_slope.y * wave;
+        let wide = frequency / erosion.frequency;
+        rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
+        rounding_slope = rounded * vec2f(z_x.x, z_y.x);
+        let edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
+        let edge_slope = edge.y * side * vec2f(z_x.y, z_y.y) - 0.5 * edge.y * kept_slope + edge.z * wide * rounding_slope;
+        let reach = 1.0 / (1.0 + mask * (erosion.detail - 1.0));
+        mask_slope = erosion.detail * reach * (reach * edge.x * mask_slope + mask * edge_slope);
+        mask *= erosion.detail * reach * edge.x;
+        frequency *= erosion.lacunarity;
+        depth *= erosion.gain;
     }
-    let _e525 = open;
-    let _e526 = sum_8;
-    let _e530 = open;
-    let _e531 = sum_slope;
-    let _e534 = sum_8;
-    let _e535 = open_slope;
-    let _e538 = ridge;
-    return GaborTerrain((base.height + (_e525 * _e526)), ((base.slope + (_e530 * _e531)) + (_e534 * _e535)), _e538, vec3(0f), vec2(0f));
+    return GaborTerrain(base.height + open * sum, base.slope + open * sum_slope + sum * open_slope, ridge, vec3f(0.0),
+                        vec2f(0.0));
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 fn gabor_erosion() -> GaborErosion {
-    return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
+    return GaborErosion(5, 1.5, 0.12, 2.0, 0.5, 0.5, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0);
 }
 
-fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e11 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), vec2(0f), vec2(0f), seed);
-    return _e11;
+fn gabor_terrain(p: vec2f, seed: u32) -> GaborTerrain {
+    return gabor_terrain_at(GaborTerrainPlace(vec2i(0), p, vec2f(0.0)), vec2f(0.0), vec2f(0.0), seed);
 }
 
-fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e13 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), vec2(0f), vec2(0f), base, erosion, seed);
-    return _e13;
+fn gabor_eroded(p: vec2f, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
+    return gabor_eroded_at(GaborTerrainPlace(vec2i(0), p, vec2f(0.0)), vec2f(0.0), vec2f(0.0), base, erosion, seed);
 }
 
-fn gabor_ground(terrain: GaborTerrain) -> vec4<f32> {
-    var steep_1: f32;
-    var scree: f32;
-    var rock: f32;
-    var snow: f32;
-    steep_1 = length(terrain.slope);
-    scree = smoothstep(-0.3f, 0.35f, (terrain.height + (0.1f * terrain.ridge)));
-    let _e16 = steep_1;
-    rock = smoothstep(0.55f, 1f, _e16);
-    let _e30 = steep_1;
-    snow = (smoothstep(0.42f, 0.62f, (terrain.height + (0.08f * terrain.ridge))) * (1f - smoothstep(1f, 1.9f, _e30)));
-    let _e36 = snow;
-    let _e39 = rock;
-    let _e42 = scree;
-    let _e44 = scree;
-    let _e46 = ((1f - _e39) * vec2<f32>((1f - _e42), _e44));
-    let _e47 = rock;
-    let _e51 = ((1f - _e36) * vec3<f32>(_e46.x, _e46.y, _e47));
-    let _e52 = snow;
-    return vec4<f32>(_e51.x, _e51.y, _e51.z, _e52);
+fn gabor_ground(terrain: GaborTerrain) -> vec4f {
+    let steep = length(terrain.slope);
+    let scree = smoothstep(-0.3, 0.35, terrain.height + 0.1 * terrain.ridge); let rock = smoothstep(0.55, 1.0, steep);
+    let snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
+    return vec4f((1.0 - snow) * vec3f((1.0 - rock) * vec2f(1.0 - scree, scree), rock), snow);
 }
 

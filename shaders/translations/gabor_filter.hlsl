@@ -1,9 +1,7 @@
 // Generated from gabor_filter.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl, gabor_spectrum.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_filter.hlsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
-//
-// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.hlsl, if
-// you filter its noises.
 //
 //     float2 f = gabor_noise_filtered(p, ddx(p), ddy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -24,7 +22,10 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl before gabor_filter.hlsl
+#include "gabor_noise.hlsl"
+#endif
+#ifndef GABOR_SPECTRUM_HLSL
+#include "gabor_spectrum.hlsl"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_filter.hlsl needs GABOR_TAPS 3

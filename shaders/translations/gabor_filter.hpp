@@ -1,10 +1,8 @@
 // clang-format off
 // Generated from gabor_filter.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp, gabor_spectrum.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
-//
-// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if
-// you filter its noises.
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -24,10 +22,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifndef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp before gabor_filter.hpp
+#include "gabor_noise.hpp"
+#endif
+#ifndef GABOR_SPECTRUM_HPP
+#include "gabor_spectrum.hpp"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_filter.hpp needs GABOR_TAPS 3

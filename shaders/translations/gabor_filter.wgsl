@@ -1,13 +1,10 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 84b4bb92dd536336.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
+// Constants that you may edit: GABOR_FILTER_GLSL.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if
-// you filter its noises.
-//
-//     vec2f f = gabor_noise_filtered(p, dpdx(p), dpdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
+//     let f = gabor_noise_filtered(p, dpdx(p), dpdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
 //     I want                                   call
 //     filtered noise                           gabor_noise_filtered
@@ -25,10 +22,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// vec2f gabor_noise_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed)
+const_assert GABOR_TAPS == 3; // gabor_filter.wgsl needs GABOR_TAPS 3
+
+// fn gabor_noise_filtered(p: vec2f, dx: vec2f, dy: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
 //     (noise, removed).
 
-// GaborField gabor_field_filtered(GaborPlace place, vec2f dx, vec2f dy, vec2f wave, u32 seed)
+// fn gabor_field_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, wave: vec2f, seed: u32) -> GaborField
 //     The filtered noise at `place`.
 //     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 //     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
@@ -38,12 +37,12 @@
 //     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
 //     branch, the cost is 3 for small pixels and 5 for larger ones.
 
-// GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2f dx, vec2f dy, f32 frequency, u32 seed)
+// fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequency: f32, seed: u32) -> GaborField
 //     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of
 //     a standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger
 //     pixels, only the variance is right.
 
-// GaborField gabor_field_lobes_filtered(GaborPlace place, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
+// fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, lobes: GaborLobes, seed: u32) -> GaborField
 //     gabor_field_lobes, filtered. dx and dy are in units of p.
 
 // ====================================================================================================================
@@ -75,1333 +74,483 @@
 // We use these three terms; |lambda| is at most 0.26.
 
 // A symmetric matrix (xx, yy, xy) times a vector.
-fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
-    return ((matrix.xy * v) + (matrix.z * v.yx));
+fn gabor_impl_symmetric(matrix: vec3f, v: vec2f) -> vec2f {
+    return matrix.xy * v + matrix.z * v.yx;
 }
 
 // The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
 // Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
-fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
-    var area: f32;
-    var d_2: f32;
-    var exponent: f32;
-    area = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
-    let _e17 = area;
-    d_2 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
-    let _e23 = d_2;
-    let _e25 = gabor_impl_symmetric(covariance, wave);
-    let _e26 = area;
-    exponent = ((39.478416f / _e23) * dot(wave, (_e25 + (_e26 * wave))));
-    let _e32 = exponent;
-    let _e38 = d_2;
-    return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
+fn gabor_impl_transmitted(wave: vec2f, covariance: vec3f) -> f32 {
+    let area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    let d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
+    let exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    return exp(-clamp(exponent, 0.0, 80.0)) * inverseSqrt(d);
 }
 
 // The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
 struct GaborImplFootprint {
-    covariance: vec3<f32>,
-    resolved: vec3<f32>, // the same, limited to standard deviations of 1/2, the most that the windows allow
+    covariance: vec3f,
+    resolved: vec3f, // the same, limited to standard deviations of 1/2, the most that the windows allow
 }
 
-fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborImplFootprint {
-    var dx_1: vec2<f32>;
-    var dy_1: vec2<f32>;
+fn gabor_impl_footprint(dx_in: vec2f, dy_in: vec2f) -> GaborImplFootprint {
+    var dx = dx_in;
+    var dy = dy_in;
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
+        dx = vec2f(1.0e5, 0.0);
+        dy = vec2f(0.0, 1.0e5);
+    }
     var footprint: GaborImplFootprint;
-    var mean: f32;
-    var axis_1: vec2<f32>;
-    var apart: f32;
-    var larger: f32;
-    var side_1: f32;
-    var smaller: f32;
-    var local_15: f32;
-    dx_1 = dx;
-    dy_1 = dy;
-    let _e4 = dx_1;
-    let _e5 = dx_1;
-    let _e7 = dy_1;
-    let _e8 = dy_1;
-    if !(((dot(_e4, _e5) + dot(_e7, _e8)) < 1000000f)) {
-        {
-            dx_1 = vec2<f32>(100000f, 0f);
-            dy_1 = vec2<f32>(0f, 100000f);
-        }
+    footprint.covariance = 0.25 * vec3f(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
+
+    // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
+    let mean = 0.5 * (footprint.covariance.x + footprint.covariance.y);
+    var axis = vec2f(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
+    let apart = length(axis);
+    let larger = mean + apart;
+    footprint.resolved = footprint.covariance;
+    if (larger > 0.25) {
+        let side = 0.25 * (dx.x * dy.y - dx.y * dy.x);
+        let smaller = min(side / larger * side, 0.25);
+        axis *= select(0.0, 0.5 * (0.25 - smaller) / apart, apart > 0.0);
+        footprint.resolved = vec3f(max(0.5 * (0.25 + smaller) + vec2f(axis.x, -axis.x), vec2f(0.0)), axis.y);
     }
-    let _e23 = dx_1;
-    let _e24 = dx_1;
-    let _e26 = dy_1;
-    let _e27 = dy_1;
-    let _e29 = ((_e23 * _e24) + (_e26 * _e27));
-    let _e30 = dx_1;
-    let _e32 = dx_1;
-    let _e35 = dy_1;
-    let _e37 = dy_1;
-    footprint.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
-    let _e46 = footprint;
-    let _e49 = footprint;
-    mean = (0.5f * (_e46.covariance.x + _e49.covariance.y));
-    let _e56 = footprint;
-    let _e59 = footprint;
-    let _e64 = footprint;
-    axis_1 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
-    let _e69 = axis_1;
-    apart = length(_e69);
-    let _e72 = mean;
-    let _e73 = apart;
-    larger = (_e72 + _e73);
-    let _e77 = footprint;
-    footprint.resolved = _e77.covariance;
-    let _e79 = larger;
-    if (_e79 > 0.25f) {
-        {
-            let _e83 = dx_1;
-            let _e85 = dy_1;
-            let _e88 = dx_1;
-            let _e90 = dy_1;
-            side_1 = (0.25f * ((_e83.x * _e85.y) - (_e88.y * _e90.x)));
-            let _e96 = side_1;
-            let _e97 = larger;
-            let _e99 = side_1;
-            smaller = min(((_e96 / _e97) * _e99), 0.25f);
-            let _e104 = axis_1;
-            let _e105 = apart;
-            if (_e105 > 0f) {
-                let _e110 = smaller;
-                let _e113 = apart;
-                local_15 = ((0.5f * (0.25f - _e110)) / _e113);
-            } else {
-                local_15 = 0f;
-            }
-            let _e117 = local_15;
-            axis_1 = (_e104 * _e117);
-            let _e122 = smaller;
-            let _e125 = axis_1;
-            let _e127 = axis_1;
-            let _e135 = max((vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x))), vec2(0f));
-            let _e136 = axis_1;
-            footprint.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
-        }
-    }
-    let _e141 = footprint;
-    return _e141;
+    return footprint;
 }
 
 // Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
 // the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
 // the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
 // 1/2 + even (h - 1/2) + i odd h' / pi.
-fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
-    var wave_9: vec2<f32>;
-    var even: vec2<f32>;
-    var odd: vec2<f32>;
-    wave_9 = vec2<f32>((value - 0.5f), slope);
-    let _e9 = wave_9;
-    even = (part.x * _e9);
-    let _e18 = wave_9;
-    odd = ((part.y * vec2<f32>(-3.1415927f, 0.3183099f)) * _e18);
-    let _e22 = even;
-    let _e25 = odd;
-    let _e28 = gabor_impl_product(vec2<f32>((0.5f + _e22.x), _e25.y), phase);
-    let _e29 = even;
-    let _e31 = odd;
-    let _e34 = gabor_impl_product(vec2<f32>(_e29.y, _e31.x), phase);
-    return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
+fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2f, phase: vec2f) -> vec4f {
+    let wave = vec2f(value - 0.5, slope);
+    let even = part.x * wave; let odd = part.y * vec2f(-3.1415927, 0.31830989) * wave;
+    return vec4f(gabor_impl_product(vec2f(0.5 + even.x, odd.y), phase), gabor_impl_product(vec2f(even.y, odd.x), phase));
 }
 
 // The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
 // `faded` is the derivative of the logarithm of the window's fade.
-fn gabor_impl_filtered_derivative(node: vec4<f32>, faded: f32, phase: vec2<f32>) -> vec4<f32> {
-    let _e6 = (node.zw + (faded * node.xy));
-    let _e13 = (-9.869604f * (node.xy - (0.5f * phase)));
-    return vec4<f32>(_e6.x, _e6.y, _e13.x, _e13.y);
+fn gabor_impl_filtered_derivative(node: vec4f, faded: f32, phase: vec2f) -> vec4f {
+    return vec4f(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase));
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-fn gabor_impl_filter(axis: ptr<function, GaborImplAxis>, variance: f32, blurred: f32, derivative: ptr<function, GaborImplAxis>) {
-    var rise: f32;
-    var part_1: vec2<f32>;
-    var width_2: f32;
-    var t_4: vec2<f32>;
-    var fade: vec2<f32>;
-    var faded_1: vec2<f32>;
-    var turn_6: vec2<f32>;
-    var first_1: vec2<f32>;
-    var last: vec2<f32>;
-    var value_7: vec4<f32>;
-    var slope_7: vec4<f32>;
-    rise = exp((19.739208f * blurred));
-    let _e14 = rise;
-    let _e16 = rise;
-    let _e19 = rise;
-    let _e21 = rise;
-    part_1 = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e14 + (1f / _e16)), (_e19 - (1f / _e21))));
-    width_2 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
-    let _e36 = (*axis);
-    let _e39 = (*axis);
-    let _e45 = width_2;
-    t_4 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
-    let _e54 = t_4;
-    let _e55 = t_4;
-    let _e59 = t_4;
-    fade = ((_e54 * _e55) * (vec2(3f) - (2f * _e59)));
-    let _e66 = width_2;
-    let _e68 = t_4;
-    let _e71 = t_4;
-    let _e75 = fade;
-    faded_1 = (((((6f / _e66) * _e68) * (vec2(1f) - _e71)) / max(_e75, vec2(0.000001f))) * vec2<f32>(-1f, 1f));
-    let _e86 = (*axis);
-    let _e88 = gabor_impl_wave(_e86.turns);
-    turn_6 = _e88;
-    let _e90 = fade;
-    let _e92 = turn_6;
-    first_1 = (_e90.x * _e92);
-    let _e95 = fade;
-    let _e97 = turn_6;
-    let _e99 = turn_6;
-    last = (_e95.y * vec2<f32>(_e97.x, -(_e99.y)));
-    let _e107 = (*axis);
-    gabor_impl_windows(_e107.offset, (&value_7), (&slope_7));
-    let _e116 = value_7;
-    let _e118 = slope_7;
-    let _e120 = part_1;
-    let _e121 = first_1;
-    let _e122 = gabor_impl_filtered_node(_e116.x, _e118.x, _e120, _e121);
-    (*axis).node[0i] = _e122;
-    let _e126 = value_7;
-    let _e128 = slope_7;
-    let _e130 = part_1;
-    let _e134 = gabor_impl_filtered_node(_e126.y, _e128.y, _e130, vec2<f32>(1f, 0f));
-    (*axis).node[1i] = _e134;
-    let _e138 = value_7;
-    let _e140 = slope_7;
-    let _e142 = part_1;
-    let _e143 = last;
-    let _e144 = gabor_impl_filtered_node(_e138.z, _e140.z, _e142, _e143);
-    (*axis).node[2i] = _e144;
-    let _e145 = (*axis);
-    (*derivative) = _e145;
-    let _e152 = (*axis).node[0];
-    let _e153 = faded_1;
-    let _e155 = first_1;
-    let _e156 = gabor_impl_filtered_derivative(_e152, _e153.x, _e155);
-    (*derivative).node[0i] = _e156;
-    let _e163 = (*axis).node[1];
-    let _e168 = gabor_impl_filtered_derivative(_e163, 0f, vec2<f32>(1f, 0f));
-    (*derivative).node[1i] = _e168;
-    let _e175 = (*axis).node[2];
-    let _e176 = faded_1;
-    let _e178 = last;
-    let _e179 = gabor_impl_filtered_derivative(_e175, _e176.y, _e178);
-    (*derivative).node[2i] = _e179;
-    return;
+fn gabor_impl_filter(axis: ptr<function, GaborImplAxis>, variance: f32, blurred: f32,
+                     derivative: ptr<function, GaborImplAxis>) {
+    let rise = exp(19.739209 * blurred);
+    let part = 0.5 * exp(-4.934802 * variance) * vec2f(rise + 1.0 / rise, rise - 1.0 / rise);
+    let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
+    let t = clamp((0.33333333 + 0.66666667 * vec2f(-(*axis).offset, (*axis).offset)) / width, vec2f(0.0), vec2f(1.0));
+    let fade = t * t * (3.0 - 2.0 * t);
+    let faded = 6.0 / width * t * (1.0 - t) / max(fade, vec2f(1.0e-6)) * vec2f(-1.0, 1.0);
+    let turn = gabor_impl_wave((*axis).turns);
+    let first = fade.x * turn; let last = fade.y * vec2f(turn.x, -turn.y);
+    var value: vec4f; var slope: vec4f;
+    gabor_impl_windows((*axis).offset, &value, &slope);
+    (*axis).node[0] = gabor_impl_filtered_node(value.x, slope.x, part, first);
+    (*axis).node[1] = gabor_impl_filtered_node(value.y, slope.y, part, vec2f(1.0, 0.0));
+    (*axis).node[2] = gabor_impl_filtered_node(value.z, slope.z, part, last);
+    *derivative = (*axis);
+    (*derivative).node[0] = gabor_impl_filtered_derivative((*axis).node[0], faded.x, first);
+    (*derivative).node[1] = gabor_impl_filtered_derivative((*axis).node[1], 0.0, vec2f(1.0, 0.0));
+    (*derivative).node[2] = gabor_impl_filtered_derivative((*axis).node[2], faded.y, last);
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-fn gabor_impl_coupled_sum(columns: GaborImplAxis, rows: GaborImplAxis, coupling: f32, moment: f32) -> vec2<f32> {
-    var sum_9: vec4<f32>;
-    var slope_8: vec4<f32>;
-    gabor_impl_sum(columns, rows, moment, (&sum_9), (&slope_8));
-    let _e10 = sum_9;
-    let _e12 = slope_8;
-    return (_e10.xy + (coupling * _e12.zw));
+fn gabor_impl_coupled_sum(columns: GaborImplAxis, rows: GaborImplAxis, coupling: f32, moment: f32) -> vec2f {
+    var sum: vec4f; var slope: vec4f;
+    gabor_impl_sum(columns, rows, moment, &sum, &slope);
+    return sum.xy + coupling * slope.zw;
 }
 
 // The filtered noise at `place`, with three waves along each axis.
-fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
-    var blurred_1: vec2<f32>;
-    var columns_1: GaborImplAxis;
-    var rows_1: GaborImplAxis;
-    var turn_7: vec2<f32>;
-    var columns_slope: GaborImplAxis;
-    var rows_slope: GaborImplAxis;
-    var value_8: vec2<f32>;
-    var along_x_1: vec2<f32>;
-    var along_y_1: vec2<f32>;
-    let _e4 = gabor_impl_symmetric(s, wave);
-    blurred_1 = _e4;
-    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    columns_1 = _e17;
-    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    rows_1 = _e32;
-    let _e36 = blurred_1;
-    let _e40 = columns_1;
-    let _e42 = columns_1;
-    let _e45 = rows_1;
-    let _e47 = rows_1;
-    let _e51 = gabor_impl_wave(((_e40.offset * _e42.turns) + (_e45.offset * _e47.turns)));
-    turn_7 = (exp((-19.739208f * dot(wave, _e36))) * _e51);
-    let _e54 = columns_1;
-    columns_slope = _e54;
-    let _e56 = rows_1;
-    rows_slope = _e56;
-    let _e60 = blurred_1;
-    gabor_impl_filter((&columns_1), s.x, _e60.x, (&columns_slope));
-    let _e67 = blurred_1;
-    gabor_impl_filter((&rows_1), s.y, _e67.y, (&rows_slope));
-    let _e72 = columns_1;
-    let _e73 = rows_1;
-    let _e76 = gabor_impl_coupled_sum(_e72, _e73, s.z, place.moment);
-    value_8 = _e76;
-    let _e78 = columns_slope;
-    let _e79 = rows_1;
-    let _e82 = gabor_impl_coupled_sum(_e78, _e79, s.z, place.moment);
-    along_x_1 = _e82;
-    let _e84 = columns_1;
-    let _e85 = rows_slope;
-    let _e88 = gabor_impl_coupled_sum(_e84, _e85, s.z, place.moment);
-    along_y_1 = _e88;
-    let _e90 = value_8;
-    let _e91 = along_x_1;
-    let _e97 = along_y_1;
-    let _e103 = turn_7;
-    let _e106 = gabor_impl_field(vec4<f32>(_e90.x, _e90.y, _e91.x, _e91.y), vec4<f32>(_e97.x, _e97.y, 0f, 0f), _e103, wave, vec2(1f));
-    return _e106;
+fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2f, s: vec3f, salt: u32) -> GaborField {
+    let blurred = gabor_impl_symmetric(s, wave);
+    var columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    var rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                         GABOR_RADIUS);
+    let turn = exp(-19.739209 * dot(wave, blurred))
+              * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    var columns_slope = columns; var rows_slope = rows; // DXC warns of structs that only a call sets
+    gabor_impl_filter(&columns, s.x, blurred.x, &columns_slope);
+    gabor_impl_filter(&rows, s.y, blurred.y, &rows_slope);
+    let value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    let along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    let along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
+    return gabor_impl_field(vec4f(value, along_x), vec4f(along_y, 0.0, 0.0), turn, wave, vec2f(1.0));
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborImplFactors {
-    real: vec3<f32>,
-    imaginary: vec3<f32>,
+    real: vec3f,
+    imaginary: vec3f,
 }
 
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
 struct GaborImplFilteredAxis {
-    even_0_: vec3<f32>,
-    even_1_: vec3<f32>,
-    even_2_: vec3<f32>,
-    even_3_: vec3<f32>,
-    odd_1_: vec3<f32>,
-    odd_2_: vec3<f32>,
-    odd_3_: vec3<f32>,
-    reach: f32, // w, in node spacings
-    offset: f32, // offset of the point from the first node, in node spacings
-    count: i32, // number of nodes, 4 or 5
-    first: i32, // index of the first node
+    even_0: vec3f,
+    even_1: vec3f,
+    even_2: vec3f,
+    even_3: vec3f,
+    odd_1: vec3f,
+    odd_2: vec3f,
+    odd_3: vec3f,
+    reach: f32,       // w, in node spacings
+    offset: f32,      // offset of the point from the first node, in node spacings
+    count: i32,       // number of nodes, 4 or 5
+    first: i32,       // index of the first node
     period: i32,
     salt: u32,
-    turn_back: vec2<f32>, // turn of the wave q = 1 / 2w from one node to the next
-    back: vec2<f32>, // the same for the noise's wave
+    turn_back: vec2f, // turn of the wave q = 1 / 2w from one node to the next
+    back: vec2f,      // the same for the noise's wave
 }
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in 3D.
-fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step_: vec2<f32>) -> GaborImplFilteredAxis {
-    var b_2: GaborImplFilteredAxis;
-    var local_17: i32;
-    var local_18: f32;
-    var zero_1: f32;
-    var local_19: f32;
-    var g: f32;
-    var unit_1: f32;
-    var fall: f32;
-    var rise_1: f32;
-    var sink: f32;
-    var t_5: f32;
-    var wave_11: vec3<f32>;
-    var fall_4_: f32;
-    var above: vec3<f32>;
-    var below: vec3<f32>;
-    var even_1: vec3<f32>;
-    var odd_1: vec3<f32>;
-    var q: vec3<f32>;
-    var quarter: f32;
-    var even_1_: vec3<f32>;
-    var odd_1_: vec3<f32>;
-    var even_2_: vec3<f32>;
-    var odd_2_: vec3<f32>;
-    b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
-    let _e18 = b_2;
-    if (_e18.reach > 2f) {
-        local_17 = 5i;
-    } else {
-        local_17 = 4i;
-    }
-    let _e25 = local_17;
-    b_2.count = _e25;
-    let _e26 = b_2;
-    if (_e26.count == 5i) {
-        local_18 = 0.5f;
-    } else {
-        local_18 = 1f;
-    }
-    let _e33 = local_18;
-    zero_1 = (floor((local + _e33)) - 2f);
-    let _e40 = b_2;
-    if (_e40.count == 5i) {
-        let _e44 = zero_1;
-        local_19 = clamp((local - _e44), 1.5f, 2.5f);
-    } else {
-        let _e49 = zero_1;
-        local_19 = clamp((local - _e49), 1f, 2f);
-    }
-    let _e55 = local_19;
-    b_2.offset = _e55;
-    let _e57 = zero_1;
-    b_2.first = (cell + i32(_e57));
-    b_2.period = period;
-    b_2.salt = salt;
-    let _e65 = b_2;
-    let _e68 = gabor_impl_wave((-0.5f / _e65.reach));
-    b_2.turn_back = _e68;
-    b_2.back = vec2<f32>(step_.x, -(step_.y));
-    g = (19.739208f * m);
-    let _e78 = b_2;
-    unit_1 = (0.75f / _e78.reach);
-    let _e83 = g;
-    let _e85 = unit_1;
-    let _e87 = unit_1;
-    fall = exp((((2.5797362f - _e83) * _e85) * _e87));
-    let _e92 = g;
-    let _e95 = unit_1;
-    rise_1 = exp((((2f * _e92) * c) * _e95));
-    let _e100 = rise_1;
-    sink = (1f / _e100);
-    let _e103 = b_2;
-    t_5 = (_e103.reach - 2f);
-    let _e113 = t_5;
-    let _e119 = t_5;
-    wave_11 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
-    let _e130 = fall;
-    let _e131 = fall;
-    let _e133 = fall;
-    let _e134 = fall;
-    fall_4_ = ((_e130 * _e131) * (_e133 * _e134));
-    let _e138 = wave_11;
-    let _e139 = fall;
-    let _e140 = fall_4_;
-    let _e141 = fall_4_;
-    let _e142 = fall_4_;
-    let _e144 = fall;
-    wave_11 = (_e138 * vec3<f32>(_e139, _e140, ((_e141 * _e142) * _e144)));
-    let _e148 = wave_11;
-    let _e149 = rise_1;
-    let _e150 = rise_1;
-    let _e151 = rise_1;
-    let _e153 = rise_1;
-    let _e154 = rise_1;
-    let _e156 = rise_1;
-    above = (_e148 * vec3<f32>(_e149, (_e150 * _e151), ((_e153 * _e154) * _e156)));
-    let _e161 = wave_11;
-    let _e162 = sink;
-    let _e163 = sink;
-    let _e164 = sink;
-    let _e166 = sink;
-    let _e167 = sink;
-    let _e169 = sink;
-    below = (_e161 * vec3<f32>(_e162, (_e163 * _e164), ((_e166 * _e167) * _e169)));
-    let _e174 = above;
-    let _e175 = below;
-    even_1 = (_e174 + _e175);
-    let _e178 = above;
-    let _e179 = below;
-    odd_1 = (_e178 - _e179);
-    let _e182 = unit_1;
-    q = (_e182 * vec3<f32>(1f, 2f, 3f));
-    let _e190 = g;
-    quarter = (0.25f / _e190);
-    let _e193 = q;
-    let _e194 = odd_1;
-    let _e196 = even_1;
-    even_1_ = ((_e193 * _e194) - (c * _e196));
-    let _e200 = q;
-    let _e201 = even_1;
-    let _e203 = odd_1;
-    odd_1_ = ((_e200 * _e201) - (c * _e203));
-    let _e207 = q;
-    let _e208 = odd_1_;
-    let _e210 = even_1_;
-    let _e213 = quarter;
-    let _e214 = even_1;
-    even_2_ = (((_e207 * _e208) - (c * _e210)) - (_e213 * _e214));
-    let _e218 = q;
-    let _e219 = even_1_;
-    let _e221 = odd_1_;
-    let _e224 = quarter;
-    let _e225 = odd_1;
-    odd_2_ = (((_e218 * _e219) - (c * _e221)) - (_e224 * _e225));
-    let _e230 = even_1;
-    let _e232 = even_1_;
-    let _e234 = even_2_;
-    b_2.even_2_ = vec3<f32>(_e230.y, _e232.y, _e234.y);
-    let _e238 = even_1;
-    let _e240 = even_1_;
-    let _e242 = even_2_;
-    b_2.even_3_ = vec3<f32>(_e238.z, _e240.z, _e242.z);
-    let _e246 = odd_1;
-    let _e248 = odd_1_;
-    let _e250 = odd_2_;
-    b_2.odd_2_ = vec3<f32>(_e246.y, _e248.y, _e250.y);
-    let _e254 = odd_1;
-    let _e256 = odd_1_;
-    let _e258 = odd_2_;
-    b_2.odd_3_ = vec3<f32>(_e254.z, _e256.z, _e258.z);
-    let _e262 = unit_1;
-    let _e266 = quarter;
-    let _e271 = b_2;
-    b_2.even_0_ = ((_e262 * vec3<f32>(1f, -(c), ((c * c) - _e266))) - (0.5f * _e271.even_2_));
-    let _e276 = even_1;
-    let _e278 = even_1_;
-    let _e280 = even_2_;
-    let _e284 = b_2;
-    b_2.even_1_ = (vec3<f32>(_e276.x, _e278.x, _e280.x) - (0.75f * _e284.even_3_));
-    let _e289 = odd_1;
-    let _e291 = odd_1_;
-    let _e293 = odd_2_;
-    let _e297 = b_2;
-    b_2.odd_1_ = (vec3<f32>(_e289.x, _e291.x, _e293.x) - (0.25f * _e297.odd_3_));
-    let _e301 = b_2;
-    return _e301;
+fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2f) -> GaborImplFilteredAxis {
+    var b: GaborImplFilteredAxis;
+    b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
+    b.count = select(4, 5, b.reach > 2.0);
+    let zero = floor(local + select(1.0, 0.5, b.count == 5)) - 2.0;
+    b.offset = select(clamp(local - zero, 1.0, 2.0), clamp(local - zero, 1.5, 2.5), b.count == 5); // see gabor_impl_axis
+    b.first = cell + i32(zero);
+    b.period = period;
+    b.salt = salt;
+    b.turn_back = gabor_impl_wave(-0.5 / b.reach);
+    b.back = vec2f(step.x, -step.y);
+
+    let g = 19.739209 * m; let unit = 0.75 / b.reach;
+    let fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
+    let rise = exp(2.0 * g * c * unit); let sink = 1.0 / rise;
+    // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
+    // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
+    let t = b.reach - 2.0;
+    var wave = vec3f(0.25723323, 0.12732396, -0.03693604)
+              + t * (vec3f(-0.03099653, 0.22852218, 0.10636504) - t * vec3f(0.0214304, 0.11618766, -0.1615392));
+    let fall_4 = fall * fall * (fall * fall);
+    wave *= vec3f(fall, fall_4, fall_4 * fall_4 * fall);
+    let above = wave * vec3f(rise, rise * rise, rise * rise * rise);
+    let below = wave * vec3f(sink, sink * sink, sink * sink * sink);
+    let even = above + below; let odd = above - below;
+    let q = unit * vec3f(1.0, 2.0, 3.0);
+    let quarter = 0.25 / g;
+    let even_1 = q * odd - c * even; let odd_1 = q * even - c * odd; // for the factor q - c
+    let even_2 = q * odd_1 - c * even_1 - quarter * even; let odd_2 = q * even_1 - c * odd_1 - quarter * odd;
+    b.even_2 = vec3f(even.y, even_1.y, even_2.y);
+    b.even_3 = vec3f(even.z, even_1.z, even_2.z);
+    b.odd_2 = vec3f(odd.y, odd_1.y, odd_2.y);
+    b.odd_3 = vec3f(odd.z, odd_1.z, odd_2.z);
+    b.even_0 = unit * vec3f(1.0, -c, c * c - quarter) - 0.5 * b.even_2;
+    b.even_1 = vec3f(even.x, even_1.x, even_2.x) - 0.75 * b.even_3;
+    b.odd_1 = vec3f(odd.x, odd_1.x, odd_2.x) - 0.25 * b.odd_3;
+    return b;
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
 struct GaborImplFilteredLine {
     word: u32,
     window: GaborImplFactors,
-    fade: vec2<f32>, // factor of the window, and its derivative
-    turn: vec2<f32>, // e^(2 pi i d / 2w)
-    phase: vec2<f32>, // the same for the noise's wave
+    fade: vec2f,  // factor of the window, and its derivative
+    turn: vec2f,  // e^(2 pi i d / 2w)
+    phase: vec2f, // the same for the noise's wave
 }
 
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-fn gabor_impl_fade(b: GaborImplFilteredAxis, index: i32) -> vec2<f32> {
-    var d_3: f32;
-    var t_6: f32;
-    d_3 = (b.offset - f32(index));
-    let _e8 = d_3;
-    t_6 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
-    let _e16 = t_6;
-    let _e17 = t_6;
-    let _e20 = t_6;
-    let _e31 = d_3;
-    let _e35 = t_6;
-    return (_e16 * vec2<f32>((_e17 * (3f - (2f * _e20))), ((-36f * sign(_e31)) * (1f - _e35))));
+fn gabor_impl_fade(b: GaborImplFilteredAxis, index: i32) -> vec2f {
+    let d = b.offset - f32(index); let t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * vec2f(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
-fn gabor_impl_filtered_line(b: GaborImplFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: vec2<f32>) -> GaborImplFilteredLine {
+fn gabor_impl_filtered_line(b: GaborImplFilteredAxis, index: i32, turn: vec2f, phase: vec2f, fade: vec2f) -> GaborImplFilteredLine {
     var line: GaborImplFilteredLine;
-    var real: vec3<f32>;
-    var imaginary: vec3<f32>;
-    let _e10 = gabor_impl_wrap((b.first + index), b.period);
-    let _e12 = gabor_impl_line_word(_e10, b.salt);
-    line.word = _e12;
+    line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
-    real = (b.even_0_ + (turn.x * (b.even_1_ + (turn.x * (b.even_2_ + (turn.x * b.even_3_))))));
-    imaginary = (turn.y * (b.odd_1_ + (turn.x * (b.odd_2_ + (turn.x * b.odd_3_)))));
+    let real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    let imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     line.fade = fade;
-    let _e44 = real;
-    let _e47 = imaginary;
-    let _e51 = imaginary;
-    let _e54 = real;
-    line.window = GaborImplFactors(((phase.x * _e44) - (phase.y * _e47)), ((phase.x * _e51) + (phase.y * _e54)));
-    let _e58 = line;
-    return _e58;
+    line.window = GaborImplFactors(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
+    return line;
 }
 
 // Computes line `index` from the previous one.
-fn gabor_impl_next_line(line: GaborImplFilteredLine, b: GaborImplFilteredAxis, index: i32, fade: vec2<f32>) -> GaborImplFilteredLine {
-    let _e6 = gabor_impl_product(line.turn, b.turn_back);
-    let _e9 = gabor_impl_product(line.phase, b.back);
-    let _e10 = gabor_impl_filtered_line(b, index, _e6, _e9, fade);
-    return _e10;
+fn gabor_impl_next_line(line: GaborImplFilteredLine, b: GaborImplFilteredAxis, index: i32, fade: vec2f) -> GaborImplFilteredLine {
+    return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
+                                    gabor_impl_product(line.phase, b.back), fade);
 }
 
 // The line's window with its fade.
 fn gabor_impl_faded(line: GaborImplFilteredLine) -> GaborImplFactors {
-    return GaborImplFactors((line.fade.x * line.window.real), (line.fade.x * line.window.imaginary));
+    return GaborImplFactors(line.fade.x * line.window.real, line.fade.x * line.window.imaginary);
 }
 
 // The four or five columns of nodes that reach a point.
 struct GaborImplColumns {
-    column_0_: GaborImplFilteredLine,
-    column_1_: GaborImplFilteredLine,
-    column_2_: GaborImplFilteredLine,
-    column_3_: GaborImplFilteredLine,
-    column_4_: GaborImplFilteredLine,
+    column_0: GaborImplFilteredLine,
+    column_1: GaborImplFilteredLine,
+    column_2: GaborImplFilteredLine,
+    column_3: GaborImplFilteredLine,
+    column_4: GaborImplFilteredLine,
     five: bool,
 }
 
 fn gabor_impl_columns(b: GaborImplFilteredAxis) -> GaborImplColumns {
-    var columns_2: GaborImplColumns;
-    var turn_9: vec2<f32>;
-    let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
-    turn_9 = _e7;
-    columns_2.five = (b.count == 5i);
-    let _e15 = turn_9;
-    let _e20 = gabor_impl_fade(b, 0i);
-    let _e21 = gabor_impl_filtered_line(b, 0i, _e15, vec2<f32>(1f, 0f), _e20);
-    columns_2.column_0_ = _e21;
-    let _e23 = columns_2;
-    let _e29 = gabor_impl_next_line(_e23.column_0_, b, 1i, vec2<f32>(1f, 0f));
-    columns_2.column_1_ = _e29;
-    let _e31 = columns_2;
-    let _e37 = gabor_impl_next_line(_e31.column_1_, b, 2i, vec2<f32>(1f, 0f));
-    columns_2.column_2_ = _e37;
-    let _e39 = columns_2;
-    let _e43 = gabor_impl_fade(b, 3i);
-    let _e44 = gabor_impl_next_line(_e39.column_2_, b, 3i, _e43);
-    columns_2.column_3_ = _e44;
-    let _e46 = columns_2;
-    columns_2.column_4_ = _e46.column_3_;
-    let _e48 = columns_2;
-    if _e48.five {
-        let _e51 = columns_2;
-        let _e55 = gabor_impl_fade(b, 4i);
-        let _e56 = gabor_impl_next_line(_e51.column_3_, b, 4i, _e55);
-        columns_2.column_4_ = _e56;
-    }
-    let _e57 = columns_2;
-    return _e57;
+    var columns: GaborImplColumns;
+    let turn = gabor_impl_wave(0.5 / b.reach * b.offset);
+    columns.five = b.count == 5;
+    columns.column_0 = gabor_impl_filtered_line(b, 0, turn, vec2f(1.0, 0.0), gabor_impl_fade(b, 0));
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, vec2f(1.0, 0.0));
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, vec2f(1.0, 0.0));
+    columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
+    columns.column_4 = columns.column_3;
+    if (columns.five) { columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4)); }
+    return columns;
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-fn gabor_impl_line_before(b: GaborImplFilteredAxis, phase: vec2<f32>) -> GaborImplFilteredLine {
-    var line_3: GaborImplFilteredLine;
-    let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
-    line_3.turn = _e11;
-    line_3.phase = phase;
-    let _e13 = line_3;
-    return _e13;
+fn gabor_impl_line_before(b: GaborImplFilteredAxis, phase: vec2f) -> GaborImplFilteredLine {
+    var line: GaborImplFilteredLine;
+    line.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));
+    line.phase = phase;
+    return line;
 }
 
 // Returns the sum plus a complex number times the factors.
 fn gabor_impl_plus_product(sum: GaborImplFactors, factors: GaborImplFactors, real: f32, imaginary: f32) -> GaborImplFactors {
-    return GaborImplFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
+    return GaborImplFactors(sum.real + (real * factors.real - imaginary * factors.imaginary),
+                            sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborImplFactors>, edge: ptr<function, GaborImplFactors>, column: GaborImplFilteredLine, row_word: u32, moment: f32) {
-    var a_3: vec2<f32>;
-    var b_8: vec2<f32>;
-    var c_4: vec2<f32>;
-    let _e7 = gabor_impl_amplitude_at((column.word * row_word), moment);
-    a_3 = _e7;
-    let _e11 = a_3;
-    b_8 = (column.fade.x * _e11);
-    let _e16 = a_3;
-    c_4 = (column.fade.y * _e16);
-    let _e19 = (*row);
-    let _e21 = b_8;
-    let _e23 = b_8;
-    let _e25 = gabor_impl_plus_product(_e19, column.window, _e21.x, _e23.y);
-    (*row) = _e25;
-    let _e26 = (*edge);
-    let _e28 = c_4;
-    let _e30 = c_4;
-    let _e32 = gabor_impl_plus_product(_e26, column.window, _e28.x, _e30.y);
-    (*edge) = _e32;
-    return;
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborImplFactors>, edge: ptr<function, GaborImplFactors>,
+                                column: GaborImplFilteredLine, row_word: u32, moment: f32) {
+    let a = gabor_impl_amplitude_at(column.word * row_word, moment); let b = column.fade.x * a;
+    let c = column.fade.y * a;
+    *row = gabor_impl_plus_product((*row), column.window, b.x, b.y);
+    *edge = gabor_impl_plus_product((*edge), column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborImplColumns, row_word: u32, moment: f32, edge: ptr<function, GaborImplFactors>) -> GaborImplFactors {
-    var row_3: GaborImplFactors = GaborImplFactors(vec3(0f), vec3(0f));
-    var none: GaborImplFactors;
-    let _e10 = row_3;
-    none = _e10;
-    let _e12 = row_3;
-    (*edge) = _e12;
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, moment);
-    if columns.five {
-        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, moment);
-    }
-    let _e39 = row_3;
-    return _e39;
+fn gabor_impl_filtered_row(columns: GaborImplColumns, row_word: u32, moment: f32,
+                           edge: ptr<function, GaborImplFactors>) -> GaborImplFactors {
+    var row = GaborImplFactors(vec3f(0.0), vec3f(0.0)); var none = row;
+    *edge = row;
+    gabor_impl_add_filtered_node(&row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(&row, &none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(&row, &none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(&row, edge, columns.column_3, row_word, moment);
+    if (columns.five) { gabor_impl_add_filtered_node(&row, edge, columns.column_4, row_word, moment); }
+    return row;
 }
 
 // Drops the first factor and moves the others up by one.
 fn gabor_impl_next(f: GaborImplFactors) -> GaborImplFactors {
-    let _e2 = f.real.yz;
-    let _e8 = f.imaginary.yz;
-    return GaborImplFactors(vec3<f32>(_e2.x, _e2.y, 0f), vec3<f32>(_e8.x, _e8.y, 0f));
+    return GaborImplFactors(vec3f(f.real.yz, 0.0), vec3f(f.imaginary.yz, 0.0));
 }
 
 // The weighted sum of the products of two axes' factors.
-fn gabor_impl_contracted(a: GaborImplFactors, b: GaborImplFactors, weights: vec3<f32>) -> vec2<f32> {
-    return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
+fn gabor_impl_contracted(a: GaborImplFactors, b: GaborImplFactors, weights: vec3f) -> vec2f {
+    return vec2f(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
+                dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
-fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
-    var m_1: vec2<f32>;
-    var deviation_1: vec2<f32>;
-    var blurred_2: vec2<f32>;
-    var c_5: vec2<f32>;
-    var rho: f32;
-    var r_1: f32;
-    var lambda: f32;
-    var mixed: f32;
-    var weights_1: vec3<f32>;
-    var step_x: vec2<f32>;
-    var step_y: vec2<f32>;
-    var across: GaborImplFilteredAxis;
-    var along: GaborImplFilteredAxis;
-    var columns_4: GaborImplColumns;
-    var line_4: GaborImplFilteredLine;
-    var local_20: i32;
-    var rows_2: i32;
-    var value_9: vec2<f32> = vec2(0f);
-    var next_x: vec2<f32> = vec2(0f);
-    var next_y: vec2<f32> = vec2(0f);
-    var edge_x: vec2<f32> = vec2(0f);
-    var edge_y: vec2<f32> = vec2(0f);
-    var j_3: i32 = 0i;
-    var edge_2: GaborImplFactors;
-    var row_4: GaborImplFactors;
-    var window_2: GaborImplFactors;
-    var exponent_1: f32;
-    var mean_1: vec2<f32>;
-    var before: vec2<f32>;
-    var x_9: vec2<f32>;
-    var y_6: vec2<f32>;
-    var local_21: f32;
-    var scale: f32;
-    m_1 = (s.xy + vec2(0.13069098f));
-    deviation_1 = sqrt(s.xy);
-    let _e13 = gabor_impl_symmetric(s, wave);
-    blurred_2 = _e13;
-    let _e15 = m_1;
-    let _e16 = _e15.yx;
-    let _e22 = blurred_2;
-    let _e23 = gabor_impl_symmetric(vec3<f32>(_e16.x, _e16.y, -(s.z)), _e22);
-    let _e27 = m_1;
-    let _e29 = m_1;
-    c_5 = (_e23 / vec2(((s.z * s.z) - (_e27.x * _e29.y))));
-    let _e37 = m_1;
-    let _e39 = m_1;
-    rho = (s.z * inverseSqrt((_e37.x * _e39.y)));
-    let _e46 = rho;
-    let _e47 = rho;
-    r_1 = sqrt((1f - (_e46 * _e47)));
-    let _e52 = rho;
-    let _e54 = r_1;
-    lambda = (_e52 / (1f + _e54));
-    let _e61 = r_1;
-    let _e64 = r_1;
-    mixed = (((39.478416f * s.z) * _e61) / (1f + _e64));
-    let _e71 = mixed;
-    let _e74 = mixed;
-    let _e76 = mixed;
-    weights_1 = vec3<f32>(1f, (-2f * _e71), ((2f * _e74) * _e76));
-    let _e86 = gabor_impl_wave((wave.x / 1.5f));
-    step_x = _e86;
-    let _e94 = gabor_impl_wave((wave.y / 1.5f));
-    step_y = _e94;
-    let _e96 = deviation_1;
-    let _e98 = r_1;
-    let _e99 = m_1;
-    let _e102 = c_5;
-    let _e110 = step_x;
-    let _e111 = gabor_impl_filtered_axis(_e96.x, (_e98 * _e99.x), _e102.x, place.cell.x, place.local.x, place.period.x, salt, _e110);
-    across = _e111;
-    let _e113 = deviation_1;
-    let _e115 = r_1;
-    let _e116 = m_1;
-    let _e119 = c_5;
-    let _e129 = step_y;
-    let _e130 = gabor_impl_filtered_axis(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
-    along = _e130;
-    let _e132 = across;
-    let _e133 = gabor_impl_columns(_e132);
-    columns_4 = _e133;
-    let _e135 = along;
-    let _e136 = across;
-    let _e138 = along;
-    let _e149 = gabor_impl_wave((dot(wave, vec2<f32>(_e136.offset, (_e138.offset + 1f))) / 1.5f));
-    let _e150 = gabor_impl_line_before(_e135, _e149);
-    line_4 = _e150;
-    if wanted {
-        let _e152 = along;
-        local_20 = _e152.count;
-    } else {
-        local_20 = 0i;
-    }
-    let _e156 = local_20;
-    rows_2 = _e156;
+fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bool, salt: u32) -> GaborField {
+    let m = s.xy + 0.13069097; // v
+    let deviation = sqrt(s.xy);
+    let blurred = gabor_impl_symmetric(s, wave);
+    let c = gabor_impl_symmetric(vec3f(m.yx, -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    let rho = s.z * inverseSqrt(m.x * m.y);
+    let r = sqrt(1.0 - rho * rho);
+    let lambda = rho / (1.0 + r);
+    let mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
+    let weights = vec3f(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
+    let step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
+    let step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    let across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
+                                                            place.period.x, salt, step_x);
+    let along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+    let columns = gabor_impl_columns(across);
+    var line = gabor_impl_line_before(
+        along, gabor_impl_wave(dot(wave, vec2f(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
+    let rows = select(0, along.count, wanted); // saves time where a driver runs both sides of a branch
+    var value = vec2f(0.0); var next_x = vec2f(0.0); var next_y = vec2f(0.0); var edge_x = vec2f(0.0);
+    var edge_y = vec2f(0.0);
+    var j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     loop {
-        {
-            let _e175 = line_4;
-            let _e176 = along;
-            let _e177 = j_3;
-            let _e178 = along;
-            let _e179 = j_3;
-            let _e180 = gabor_impl_fade(_e178, _e179);
-            let _e181 = gabor_impl_next_line(_e175, _e176, _e177, _e180);
-            line_4 = _e181;
-            edge_2 = GaborImplFactors(vec3(0f), vec3(0f));
-            let _e188 = columns_4;
-            let _e189 = line_4;
-            let _e194 = gabor_impl_filtered_row(_e188, _e189.word, place.moment, (&edge_2));
-            row_4 = _e194;
-            let _e196 = line_4;
-            let _e197 = gabor_impl_faded(_e196);
-            window_2 = _e197;
-            let _e199 = value_9;
-            let _e200 = row_4;
-            let _e201 = window_2;
-            let _e202 = weights_1;
-            let _e203 = gabor_impl_contracted(_e200, _e201, _e202);
-            value_9 = (_e199 + _e203);
-            let _e205 = next_x;
-            let _e206 = row_4;
-            let _e207 = gabor_impl_next(_e206);
-            let _e208 = window_2;
-            let _e209 = weights_1;
-            let _e210 = gabor_impl_contracted(_e207, _e208, _e209);
-            next_x = (_e205 + _e210);
-            let _e212 = next_y;
-            let _e213 = row_4;
-            let _e214 = window_2;
-            let _e215 = gabor_impl_next(_e214);
-            let _e216 = weights_1;
-            let _e217 = gabor_impl_contracted(_e213, _e215, _e216);
-            next_y = (_e212 + _e217);
-            let _e219 = edge_x;
-            let _e220 = edge_2;
-            let _e221 = window_2;
-            let _e222 = weights_1;
-            let _e223 = gabor_impl_contracted(_e220, _e221, _e222);
-            edge_x = (_e219 + _e223);
-            let _e225 = edge_y;
-            let _e226 = line_4;
-            let _e229 = row_4;
-            let _e230 = line_4;
-            let _e232 = weights_1;
-            let _e233 = gabor_impl_contracted(_e229, _e230.window, _e232);
-            edge_y = (_e225 + (_e226.fade.y * _e233));
-        }
-        let _e236 = j_3;
-        let _e238 = (_e236 + 1i);
-        j_3 = _e238;
-        let _e239 = rows_2;
-        if !((_e238 < _e239)) {
-            break;
-        }
+        line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
+        var edge = GaborImplFactors(vec3f(0.0), vec3f(0.0)); // DXC warns of structs that only a call sets
+        let row = gabor_impl_filtered_row(columns, line.word, place.moment, &edge);
+        let window = gabor_impl_faded(line);
+        value += gabor_impl_contracted(row, window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
+        edge_x += gabor_impl_contracted(edge, window, weights);
+        edge_y += line.fade.y * gabor_impl_contracted(row, line.window, weights);
+        continuing { j++; break if j >= rows; }
     }
-    let _e243 = c_5;
-    let _e245 = blurred_2;
-    let _e247 = r_1;
-    let _e248 = m_1;
-    let _e249 = c_5;
-    let _e250 = c_5;
-    exponent_1 = (19.739208f * (dot((wave + _e243), _e245) + (_e247 * dot(_e248, (_e249 * _e250)))));
-    let _e257 = c_5;
-    mean_1 = (wave + _e257);
-    let _e260 = lambda;
-    let _e261 = m_1;
-    let _e263 = m_1;
-    before = (_e260 * sqrt((_e261.yx / _e263)));
-    let _e269 = mean_1;
-    let _e271 = value_9;
-    let _e273 = next_x;
-    let _e275 = before;
-    let _e277 = next_y;
-    x_9 = (6.2831855f * (((_e269.x * _e271) + _e273) - (_e275.x * _e277)));
-    let _e283 = mean_1;
-    let _e285 = value_9;
-    let _e287 = next_y;
-    let _e289 = before;
-    let _e291 = next_x;
-    y_6 = (6.2831855f * (((_e283.y * _e285) + _e287) - (_e289.y * _e291)));
-    let _e296 = edge_x;
-    let _e297 = x_9;
-    let _e300 = x_9;
-    x_9 = (_e296 + vec2<f32>(-(_e297.y), _e300.x));
-    let _e304 = edge_y;
-    let _e305 = y_6;
-    let _e308 = y_6;
-    y_6 = (_e304 + vec2<f32>(-(_e305.y), _e308.x));
-    let _e313 = lambda;
-    let _e314 = lambda;
-    let _e318 = exponent_1;
-    if false {
-        local_21 = 1f;
-    } else {
-        local_21 = 1.125f;
-    }
-    let _e332 = local_21;
-    scale = ((sqrt((1f - (_e313 * _e314))) * exp(-(_e318))) / (1459955300000000000000000000f * _e332));
-    let _e336 = scale;
-    let _e337 = value_9;
-    let _e340 = scale;
-    let _e341 = x_9;
-    let _e343 = y_6;
-    let _e347 = scale;
-    let _e348 = value_9;
-    let _e351 = scale;
-    let _e352 = x_9;
-    let _e354 = y_6;
-    return GaborField((_e336 * _e337.y), (_e340 * vec2<f32>(_e341.y, _e343.y)), (_e347 * _e348.x), (_e351 * vec2<f32>(_e352.x, _e354.x)), 0f);
+    let exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
+    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
+    // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
+    let mean = wave + c; let before = lambda * sqrt(m.yx / m);
+    var x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
+    var y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
+    x = edge_x + vec2f(-x.y, x.x);
+    y = edge_y + vec2f(-y.y, y.x);
+    let scale = sqrt(1.0 - lambda * lambda) * exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * value.y, scale * vec2f(x.y, y.y), scale * value.x, scale * vec2f(x.x, y.x), 0.0);
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
 fn gabor_impl_wide_share(footprint: GaborImplFootprint) -> f32 {
-    return clamp(((100f * sqrt(max(footprint.resolved.x, footprint.resolved.y))) - 9f), 0f, 1f);
+    return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
 
 // Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
-fn gabor_impl_filtered(place: GaborPlace, footprint: GaborImplFootprint, wide: f32, wave: vec2<f32>, seed: u32) -> GaborField {
-    var wave_14: vec2<f32>;
-    var stretch_3: vec2<f32>;
-    var transmitted: f32;
-    var sum_11: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var s_4: vec3<f32>;
-    var salt_8: u32;
-    var amplitude_2: f32 = 1f;
-    wave_14 = wave;
-    stretch_3 = (place.radius / vec2(1.5f));
-    let _e14 = wave_14;
-    let _e21 = stretch_3;
-    wave_14 = (clamp(_e14, vec2(-1000000f), vec2(1000000f)) / _e21);
-    let _e23 = wave_14;
-    let _e25 = gabor_impl_transmitted(_e23, footprint.covariance);
-    transmitted = _e25;
-    let _e36 = transmitted;
-    if (_e36 >= 0.0000000001f) {
-        {
-            s_4 = footprint.resolved;
-            let _e41 = gabor_impl_salt(seed);
-            salt_8 = _e41;
-            if (distance(footprint.resolved, footprint.covariance) > 0f) {
-                let _e50 = amplitude_2;
-                let _e51 = transmitted;
-                let _e52 = wave_14;
-                let _e53 = s_4;
-                let _e54 = gabor_impl_transmitted(_e52, _e53);
-                amplitude_2 = (_e50 * sqrt((_e51 / _e54)));
-            }
-            if (wide < 1f) {
-                let _e61 = wave_14;
-                let _e62 = s_4;
-                let _e63 = salt_8;
-                let _e64 = gabor_impl_filtered_narrow(place, _e61, _e62, _e63);
-                let _e67 = amplitude_2;
-                let _e69 = stretch_3;
-                gabor_impl_add_field((&sum_11), _e64, ((1f - wide) * _e67), _e69);
-            }
-            if (wide > 0f) {
-                let _e74 = wave_14;
-                let _e75 = s_4;
-                let _e78 = salt_8;
-                let _e79 = gabor_impl_filtered_wide(place, _e74, _e75, (wide > 0f), _e78);
-                let _e80 = amplitude_2;
-                let _e82 = stretch_3;
-                gabor_impl_add_field((&sum_11), _e79, (wide * _e80), _e82);
-            }
+fn gabor_impl_filtered(place: GaborPlace, footprint: GaborImplFootprint, wide: f32, wave_in: vec2f, seed: u32) -> GaborField {
+    var wave = wave_in;
+    let stretch = place.radius / GABOR_RADIUS;
+    wave = clamp(wave, vec2f(-1.0e6), vec2f(1.0e6)) / stretch;
+    let transmitted = gabor_impl_transmitted(wave, footprint.covariance);
+    var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    if (transmitted >= 1.0e-10) {
+        let s = footprint.resolved;
+        let salt = gabor_impl_salt(seed);
+        var amplitude = 1.0;
+        if (distance(footprint.resolved, footprint.covariance) > 0.0) {
+            amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
+        }
+        if (wide < 1.0) {
+            gabor_impl_add_field(&sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude,
+                                 stretch);
+        }
+        if (wide > 0.0) {
+            gabor_impl_add_field(&sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude,
+                                 stretch);
         }
     }
-    let _e86 = transmitted;
-    sum_11.removed = (1f - _e86);
-    let _e88 = sum_11;
-    return _e88;
+    sum.removed = 1.0 - transmitted;
+    return sum;
 }
 
-fn gabor_field_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, seed: u32) -> GaborField {
-    var stretch_4: vec2<f32>;
-    var footprint_3: GaborImplFootprint;
-    stretch_4 = (place.radius / vec2(1.5f));
-    let _e13 = stretch_4;
-    let _e15 = stretch_4;
-    let _e17 = gabor_impl_footprint((_e13 * dx), (_e15 * dy));
-    footprint_3 = _e17;
-    let _e19 = footprint_3;
-    let _e20 = footprint_3;
-    let _e21 = gabor_impl_wide_share(_e20);
-    let _e22 = gabor_impl_filtered(place, _e19, _e21, wave, seed);
-    return _e22;
+fn gabor_field_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, wave: vec2f, seed: u32) -> GaborField {
+    let stretch = place.radius / GABOR_RADIUS;
+    let footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
 
-fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    var field_7: GaborField;
-    let _e6 = gabor_place_at(p);
-    let _e7 = gabor_wave_vector(frequency, orientation);
-    let _e8 = gabor_field_filtered(_e6, dx, dy, _e7, seed);
-    field_7 = _e8;
-    let _e10 = field_7;
-    let _e12 = field_7;
-    return vec2<f32>(_e10.noise, _e12.removed);
+fn gabor_noise_filtered(p: vec2f, dx: vec2f, dy: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
+    let field = gabor_field_filtered(gabor_place_at(p), dx, dy, gabor_wave_vector(frequency, orientation), seed);
+    return vec2f(field.noise, field.removed);
 }
 
 // Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 fn gabor_impl_mean_angle(q: f32) -> f32 {
-    return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
+    return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
+                / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
 
-fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
-    var lobes_5: GaborLobes;
-    var sum_12: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var power_4: f32;
-    var i_6: i32 = 0i;
-    var lobe_2: GaborLobe;
-    var unit_2: vec2<f32>;
-    var field_8: GaborField;
-    var local_22: f32;
-    lobes_5 = lobes;
-    let _e15 = lobes_5;
-    let _e16 = gabor_impl_lobes_power(_e15);
-    power_4 = _e16;
-    loop {
-        let _e20 = i_6;
-        let _e21 = lobes_5;
-        if !((_e20 < min(_e21.count, 4i))) {
-            break;
-        }
-        {
-            let _e30 = i_6;
-            let _e33 = lobes_5.lobe[_e30];
-            lobe_2 = _e33;
-            let _e36 = lobe_2;
-            unit_2 = (vec2(1f) / _e36.radius);
-            let _e41 = lobe_2;
-            let _e43 = gabor_impl_stretched(place, _e41.radius);
-            let _e44 = unit_2;
-            let _e46 = unit_2;
-            let _e48 = lobe_2;
-            let _e49 = gabor_impl_lobe_wave(_e48);
-            let _e50 = i_6;
-            let _e51 = gabor_lobe_seed(seed, _e50);
-            let _e52 = gabor_field_filtered(_e43, (_e44 * dx), (_e46 * dy), _e49, _e51);
-            field_8 = _e52;
-            let _e55 = field_8;
-            let _e56 = power_4;
-            if (_e56 > 0f) {
-                let _e59 = lobe_2;
-                let _e61 = power_4;
-                local_22 = sqrt((_e59.power / _e61));
-            } else {
-                local_22 = 0f;
-            }
-            let _e66 = local_22;
-            let _e67 = unit_2;
-            gabor_impl_add_field((&sum_12), _e55, _e66, _e67);
-        }
-        continuing {
-            let _e27 = i_6;
-            i_6 = (_e27 + 1i);
-        }
+fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, lobes_in: GaborLobes, seed: u32) -> GaborField {
+    var lobes = lobes_in;
+    var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    let power = gabor_impl_lobes_power(lobes);
+    for (var i = 0; i < min(lobes.count, GABOR_LOBES); i++) {
+        let lobe = lobes.lobe[i];
+        let unit = 1.0 / lobe.radius;
+        let field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
+                                                gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+        gabor_impl_add_field(&sum, field, select(0.0, sqrt(lobe.power / power), power > 0.0), unit);
     }
-    let _e69 = sum_12;
-    return _e69;
+    return sum;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
-fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) -> f32 {
-    var area_1: f32;
-    var d_4: f32;
-    var unit_3: f32;
-    var apart_1: f32;
-    var smaller_1: f32;
-    area_1 = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
-    let _e17 = area_1;
-    d_4 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
-    let _e23 = d_4;
-    unit_3 = ((39.478416f / _e23) * min((frequency * frequency), 1000000000000f));
-    apart_1 = length(vec2<f32>((covariance.x - covariance.y), (2f * covariance.z)));
-    let _e39 = area_1;
-    let _e44 = apart_1;
-    smaller_1 = (_e39 + max((0.5f * ((covariance.x + covariance.y) - _e44)), 0f));
-    let _e51 = unit_3;
-    let _e52 = smaller_1;
-    let _e59 = unit_3;
-    let _e60 = apart_1;
-    let _e64 = gabor_impl_mean_angle(min((_e59 * _e60), 100000000f));
-    let _e66 = d_4;
-    return ((exp(-(clamp((_e51 * _e52), 0f, 80f))) * _e64) * inverseSqrt(_e66));
+fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3f) -> f32 {
+    let area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    let d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
+    let unit = 39.478418 / d * min(frequency * frequency, 1.0e12);
+    let apart = length(vec2f(covariance.x - covariance.y, 2.0 * covariance.z));
+    let smaller = area + max(0.5 * (covariance.x + covariance.y - apart), 0.0);
+    return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * inverseSqrt(d);
 }
 
 // A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
 struct GaborImplWindows {
-    middle: vec2<f32>,
-    cosine: vec2<f32>,
-    sine: vec2<f32>,
+    middle: vec2f,
+    cosine: vec2f,
+    sine: vec2f,
 }
 
 // Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter
 // multiplies it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
 // gabor_impl_filtered_node.
-fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborImplWindows, faded: vec2<f32>, s: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
-    var a_6: vec2<f32>;
-    var x_10: vec2<f32>;
-    var y_7: vec2<f32>;
-    var even_2: vec2<f32>;
-    var odd_2: vec2<f32>;
-    var real_2: vec2<f32>;
-    var imaginary_2: vec2<f32>;
-    var h_x: vec2<f32>;
-    var h_y: vec2<f32>;
-    var value_10: vec2<f32>;
-    var along_x_2: vec2<f32>;
-    var along_y_2: vec2<f32>;
-    a_6 = a;
-    let _e8 = gabor_impl_symmetric(s, wave);
-    x_10 = (19.739208f * _e8);
-    let _e11 = a_6;
-    let _e12 = x_10;
-    a_6 = (_e11 * exp(-(max(dot(wave, _e12), 0f))));
-    let _e19 = x_10;
-    x_10 = clamp(_e19, vec2(-3f), vec2(3f));
-    let _e26 = x_10;
-    let _e27 = x_10;
-    y_7 = (_e26 * _e27);
-    let _e31 = y_7;
-    let _e34 = y_7;
-    even_2 = (vec2(1f) + (_e31 * (vec2(0.5f) + (0.041666668f * _e34))));
-    let _e42 = x_10;
-    let _e44 = y_7;
-    let _e47 = y_7;
-    odd_2 = (_e42 * (vec2(1f) + (_e44 * (vec2(0.16666667f) + (0.008333333f * _e47)))));
-    let _e57 = even_2;
-    real_2 = (node.middle + (_e57 * node.cosine));
-    let _e63 = odd_2;
-    imaginary_2 = ((0.3183099f * _e63) * node.sine);
-    let _e68 = real_2;
-    let _e70 = imaginary_2;
-    h_x = vec2<f32>(_e68.x, _e70.x);
-    let _e74 = real_2;
-    let _e76 = imaginary_2;
-    h_y = vec2<f32>(_e74.y, _e76.y);
-    let _e80 = h_x;
-    let _e81 = h_y;
-    let _e82 = gabor_impl_product(_e80, _e81);
-    let _e93 = a_6;
-    let _e94 = gabor_impl_product((_e82 + vec2<f32>(((s.z * node.sine.x) * node.sine.y), 0f)), _e93);
-    value_10 = _e94;
-    let _e96 = even_2;
-    real_2 = (_e96 * node.sine);
-    let _e101 = odd_2;
-    imaginary_2 = ((-3.1415927f * _e101) * node.cosine);
-    let _e105 = real_2;
-    let _e107 = imaginary_2;
-    let _e110 = h_y;
-    let _e111 = gabor_impl_product(vec2<f32>(_e105.x, _e107.x), _e110);
-    let _e112 = a_6;
-    let _e113 = gabor_impl_product(_e111, _e112);
-    along_x_2 = _e113;
-    let _e115 = h_x;
-    let _e116 = real_2;
-    let _e118 = imaginary_2;
-    let _e121 = gabor_impl_product(_e115, vec2<f32>(_e116.y, _e118.y));
-    let _e122 = a_6;
-    let _e123 = gabor_impl_product(_e121, _e122);
-    along_y_2 = _e123;
-    let _e126 = (*sum);
-    let _e128 = value_10;
-    (*sum).noise = (_e126.noise + _e128.y);
-    let _e132 = (*sum);
-    let _e134 = along_x_2;
-    let _e136 = along_y_2;
-    let _e139 = value_10;
-    let _e144 = value_10;
-    (*sum).gradient = (_e132.gradient + ((vec2<f32>(_e134.y, _e136.y) + (_e139.y * faded)) + ((6.2831855f * _e144.x) * wave)));
-    let _e151 = (*sum);
-    let _e153 = value_10;
-    (*sum).quadrature = (_e151.quadrature + _e153.x);
-    let _e157 = (*sum);
-    let _e159 = along_x_2;
-    let _e161 = along_y_2;
-    let _e164 = value_10;
-    let _e169 = value_10;
-    (*sum).quadrature_gradient = (_e157.quadrature_gradient + ((vec2<f32>(_e159.x, _e161.x) + (_e164.x * faded)) - ((6.2831855f * _e169.y) * wave)));
-    return;
+fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborImplWindows, faded: vec2f, s: vec3f,
+                                a_in: vec2f, wave: vec2f) {
+    var a = a_in;
+    var x = 19.739209 * gabor_impl_symmetric(s, wave);
+    a *= exp(-max(dot(wave, x), 0.0));
+    x = clamp(x, vec2f(-3.0), vec2f(3.0)); // changes no wave that the filter keeps
+    let y = x * x;
+    let even = 1.0 + y * (0.5 + 0.041666667 * y); let odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
+    var real = node.middle + even * node.cosine; var imaginary = 0.31830989 * odd * node.sine;
+    let h_x = vec2f(real.x, imaginary.x); let h_y = vec2f(real.y, imaginary.y);
+    let value = gabor_impl_product(gabor_impl_product(h_x, h_y) + vec2f(s.z * node.sine.x * node.sine.y, 0.0), a);
+    real = even * node.sine;
+    imaginary = -3.1415927 * odd * node.cosine;
+    let along_x = gabor_impl_product(gabor_impl_product(vec2f(real.x, imaginary.x), h_y), a);
+    let along_y = gabor_impl_product(gabor_impl_product(h_x, vec2f(real.y, imaginary.y)), a);
+    (*sum).noise += value.y;
+    (*sum).gradient += vec2f(along_x.y, along_y.y) + value.y * faded + 6.2831853 * value.x * wave;
+    (*sum).quadrature += value.x;
+    (*sum).quadrature_gradient += vec2f(along_x.x, along_y.x) + value.x * faded - 6.2831853 * value.y * wave;
 }
 
-fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> GaborField {
-    var frequency_16: f32;
-    var s_6: vec3<f32>;
-    var kept: f32;
-    var field_9: GaborField;
-    var narrower: f32;
-    var local_23: f32;
-    var amplitude_3: f32;
-    var stretch_5: vec2<f32>;
-    var unit_4: vec2<f32>;
-    var fall_1: vec2<f32>;
-    var width_3: vec2<f32>;
-    var salt_9: u32;
-    var x_11: GaborImplAxis;
-    var y_8: GaborImplAxis;
-    var sum_14: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var j_4: i32 = 0i;
-    var row_5: vec4<u32>;
-    var i_7: i32;
-    var d_5: vec2<f32>;
-    var star_2: GaborImplStar;
-    var t_7: vec2<f32>;
-    var fade_3: vec2<f32>;
-    var change: vec2<f32>;
-    var cosine: vec2<f32>;
-    var node_2: GaborImplWindows;
-    var faded_3: vec2<f32>;
-    frequency_16 = frequency;
-    let _e6 = gabor_impl_footprint(dx, dy);
-    s_6 = _e6.covariance;
-    let _e9 = frequency_16;
-    frequency_16 = min(abs(_e9), 1000000f);
-    let _e13 = frequency_16;
-    let _e14 = s_6;
-    let _e15 = gabor_impl_transmitted_isotropic_2d(_e13, _e14);
-    kept = _e15;
-    let _e24 = kept;
-    field_9 = GaborField(0f, vec2(0f), 0f, vec2(0f), (1f - _e24));
-    let _e28 = kept;
-    if !((_e28 > 0.0000000001f)) {
-        {
-            field_9.removed = 1f;
-            let _e34 = field_9;
-            return _e34;
+fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequency_in: f32, seed: u32) -> GaborField {
+    var frequency = frequency_in;
+    var s = gabor_impl_footprint(dx, dy).covariance;
+    frequency = min(abs(frequency), 1.0e6);
+    let kept = gabor_impl_transmitted_isotropic_2d(frequency, s);
+    var field = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 1.0 - kept);
+    if (!(kept > 1.0e-10)) {
+        field.removed = 1.0;
+        return field;
+    }
+    // The windows allow a standard deviation of at most 0.2.
+    s *= 0.04 / max(0.5 * (s.x + s.y + length(vec2f(s.x - s.y, 2.0 * s.z))), 0.04);
+    let narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
+    let amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
+    let stretch = place.radius / GABOR_RADIUS;
+    let unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    s *= vec3f(stretch * stretch, stretch.x * stretch.y);
+    let fall = exp(-4.934802 * s.xy); let width = clamp(0.5 * sqrt(s.xy), vec2f(0.001), vec2f(0.05));
+    let salt = gabor_impl_salt(seed);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    for (var j = 0; j < 3; j++) {
+        let row = gabor_impl_row(y.word[j]);
+        for (var i = 0; i < 3; i++) {
+            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / GABOR_RADIUS;
+            let star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            let t = clamp((1.0 - abs(d)) / width, vec2f(0.0), vec2f(1.0)); let fade = t * t * (3.0 - 2.0 * t);
+            let change = -6.0 / width * t * (1.0 - t) * sign(d);
+            let cosine = fall * (vec2f(x.node[i].x, y.node[j].x) - 0.5);
+            let node = GaborImplWindows(0.5 * fade, fade * cosine, fade * fall * vec2f(x.node[i].z, y.node[j].z));
+            let faded = change / max(fade, vec2f(1.0e-6)); // derivative of the logarithm of the fade
+            gabor_impl_add_filtered_wave(&sum, node, faded, s, star.first, unit * star.u);
+            gabor_impl_add_filtered_wave(&sum, node, faded, s, star.second, unit * star.v);
+            gabor_impl_add_filtered_wave(&sum, node, faded, s, star.third, unit * (star.v - star.u));
         }
     }
-    let _e35 = s_6;
-    let _e38 = s_6;
-    let _e40 = s_6;
-    let _e43 = s_6;
-    let _e45 = s_6;
-    let _e49 = s_6;
-    s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
-    let _e60 = frequency_16;
-    let _e61 = s_6;
-    let _e62 = gabor_impl_transmitted_isotropic_2d(_e60, _e61);
-    narrower = _e62;
-    if false {
-        local_23 = 1f;
-    } else {
-        local_23 = 1.125f;
-    }
-    let _e75 = local_23;
-    let _e78 = kept;
-    let _e79 = narrower;
-    amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e75)) * sqrt(min((_e78 / max(_e79, 0.000000000000000000000000000001f)), 1f)));
-    stretch_5 = (place.radius / vec2(1.5f));
-    let _e96 = frequency_16;
-    let _e97 = stretch_5;
-    unit_4 = (vec2(_e96) / _e97);
-    let _e101 = s_6;
-    let _e102 = stretch_5;
-    let _e103 = stretch_5;
-    let _e104 = (_e102 * _e103);
-    let _e105 = stretch_5;
-    let _e107 = stretch_5;
-    s_6 = (_e101 * vec3<f32>(_e104.x, _e104.y, (_e105.x * _e107.y)));
-    let _e116 = s_6;
-    fall_1 = exp((-4.934802f * _e116.xy));
-    let _e122 = s_6;
-    width_3 = clamp((0.5f * sqrt(_e122.xy)), vec2(0.001f), vec2(0.05f));
-    let _e132 = gabor_impl_salt(seed);
-    salt_9 = _e132;
-    let _e140 = salt_9;
-    let _e146 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e140, 0f, 1.5f);
-    x_11 = _e146;
-    let _e154 = salt_9;
-    let _e162 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e154 ^ 1540483477u), 0f, 1.5f);
-    y_8 = _e162;
-    loop {
-        let _e175 = j_4;
-        if !((_e175 < 3i)) {
-            break;
-        }
-        {
-            let _e182 = j_4;
-            let _e185 = y_8.word[_e182];
-            let _e186 = gabor_impl_row(_e185);
-            row_5 = _e186;
-            i_7 = 0i;
-            loop {
-                let _e190 = i_7;
-                if !((_e190 < 3i)) {
-                    break;
-                }
-                {
-                    let _e197 = x_11;
-                    let _e199 = i_7;
-                    let _e204 = y_8;
-                    let _e206 = j_4;
-                    d_5 = (vec2<f32>((_e197.offset - f32((_e199 - 1i))), (_e204.offset - f32((_e206 - 1i)))) / vec2(1.5f));
-                    let _e219 = i_7;
-                    let _e222 = x_11.word[_e219];
-                    let _e223 = row_5;
-                    let _e225 = unit_4;
-                    let _e226 = d_5;
-                    let _e229 = gabor_impl_star((_e222 * _e223), (_e225 * _e226), place.moment);
-                    star_2 = _e229;
-                    let _e232 = d_5;
-                    let _e236 = width_3;
-                    t_7 = clamp(((vec2(1f) - abs(_e232)) / _e236), vec2(0f), vec2(1f));
-                    let _e244 = t_7;
-                    let _e245 = t_7;
-                    let _e249 = t_7;
-                    fade_3 = ((_e244 * _e245) * (vec2(3f) - (2f * _e249)));
-                    let _e257 = width_3;
-                    let _e260 = t_7;
-                    let _e263 = t_7;
-                    let _e267 = d_5;
-                    change = ((((vec2(-6f) / _e257) * _e260) * (vec2(1f) - _e263)) * sign(_e267));
-                    let _e271 = fall_1;
-                    let _e272 = i_7;
-                    let _e275 = x_11.node[_e272];
-                    let _e277 = j_4;
-                    let _e280 = y_8.node[_e277];
-                    cosine = (_e271 * (vec2<f32>(_e275.x, _e280.x) - vec2(0.5f)));
-                    let _e289 = fade_3;
-                    let _e291 = fade_3;
-                    let _e292 = cosine;
-                    let _e294 = fade_3;
-                    let _e295 = fall_1;
-                    let _e297 = i_7;
-                    let _e300 = x_11.node[_e297];
-                    let _e302 = j_4;
-                    let _e305 = y_8.node[_e302];
-                    node_2 = GaborImplWindows((0.5f * _e289), (_e291 * _e292), ((_e294 * _e295) * vec2<f32>(_e300.z, _e305.z)));
-                    let _e311 = change;
-                    let _e312 = fade_3;
-                    faded_3 = (_e311 / max(_e312, vec2(0.000001f)));
-                    let _e319 = node_2;
-                    let _e320 = faded_3;
-                    let _e321 = s_6;
-                    let _e322 = star_2;
-                    let _e324 = unit_4;
-                    let _e325 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e319, _e320, _e321, _e322.first, (_e324 * _e325.u));
-                    let _e330 = node_2;
-                    let _e331 = faded_3;
-                    let _e332 = s_6;
-                    let _e333 = star_2;
-                    let _e335 = unit_4;
-                    let _e336 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e330, _e331, _e332, _e333.second, (_e335 * _e336.v));
-                    let _e341 = node_2;
-                    let _e342 = faded_3;
-                    let _e343 = s_6;
-                    let _e344 = star_2;
-                    let _e346 = unit_4;
-                    let _e347 = star_2;
-                    let _e349 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e341, _e342, _e343, _e344.third, (_e346 * (_e347.v - _e349.u)));
-                }
-                continuing {
-                    let _e194 = i_7;
-                    i_7 = (_e194 + 1i);
-                }
-            }
-        }
-        continuing {
-            let _e179 = j_4;
-            j_4 = (_e179 + 1i);
-        }
-    }
-    let _e355 = sum_14;
-    let _e356 = amplitude_3;
-    let _e357 = stretch_5;
-    gabor_impl_add_field((&field_9), _e355, _e356, _e357);
-    let _e359 = field_9;
-    return _e359;
+    gabor_impl_add_field(&field, sum, amplitude, stretch);
+    return field;
 }
 

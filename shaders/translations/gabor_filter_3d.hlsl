@@ -1,8 +1,7 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_noise_3d.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_filter_3d.hlsl: the noises of gabor_noise_3d.hlsl, averaged over a pixel.
-//
-// Paste or include this file after gabor_noise.hlsl, gabor_filter.hlsl and gabor_noise_3d.hlsl.
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), ddx(p), ddy(p), 2.0, 7u);
 //
@@ -11,8 +10,17 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#if !defined(GABOR_FILTER_HLSL) || !defined(GABOR_NOISE_3D_HLSL)
-#error Include gabor_noise.hlsl, gabor_filter.hlsl and gabor_noise_3d.hlsl before gabor_filter_3d.hlsl
+#ifndef GABOR_NOISE_HLSL
+#include "gabor_noise.hlsl"
+#endif
+#ifndef GABOR_SPECTRUM_HLSL
+#include "gabor_spectrum.hlsl"
+#endif
+#ifndef GABOR_FILTER_HLSL
+#include "gabor_filter.hlsl"
+#endif
+#ifndef GABOR_NOISE_3D_HLSL
+#include "gabor_noise_3d.hlsl"
 #endif
 #ifndef GABOR_FILTER_3D_HLSL
 #define GABOR_FILTER_3D_HLSL 1

@@ -1,9 +1,8 @@
 // clang-format off
 // Generated from gabor_filter_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_noise_3d.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_filter_3d.hpp: the noises of gabor_noise_3d.hpp, averaged over a pixel.
-//
-// Paste or include this file after gabor_noise.hpp, gabor_filter.hpp and gabor_noise_3d.hpp.
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -12,10 +11,21 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
-#if !defined(GABOR_FILTER_HPP) || !defined(GABOR_NOISE_3D_HPP)
-#error Include gabor_noise.hpp, gabor_filter.hpp and gabor_noise_3d.hpp before gabor_filter_3d.hpp
+#ifndef GABOR_NOISE_HPP
+#include "gabor_noise.hpp"
+#endif
+#ifndef GABOR_SPECTRUM_HPP
+#include "gabor_spectrum.hpp"
+#endif
+#ifndef GABOR_FILTER_HPP
+#include "gabor_filter.hpp"
+#endif
+#ifndef GABOR_NOISE_3D_HPP
+#include "gabor_noise_3d.hpp"
 #endif
 #ifndef GABOR_FILTER_3D_HPP
 #define GABOR_FILTER_3D_HPP 1

@@ -1,9 +1,7 @@
 // Generated from gabor_materials.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_materials.hlsl: eleven materials from Gabor noise.
-//
-// Paste or include this file after gabor_noise.hlsl, gabor_spectrum.hlsl and, for the filtered forms,
-// gabor_filter.hlsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, ddx(p), ddy(p), 7u);  // averaged over a pixel
@@ -23,8 +21,14 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_NOISE_HLSL
+#include "gabor_noise.hlsl"
+#endif
 #ifndef GABOR_SPECTRUM_HLSL
-#error Include gabor_noise.hlsl and gabor_spectrum.hlsl before gabor_materials.hlsl
+#include "gabor_spectrum.hlsl"
+#endif
+#ifndef GABOR_FILTER_HLSL
+#include "gabor_filter.hlsl"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.hlsl needs GABOR_TAPS 3

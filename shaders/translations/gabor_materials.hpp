@@ -1,10 +1,8 @@
 // clang-format off
 // Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_materials.hpp: eleven materials from Gabor noise.
-//
-// Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp and, for the filtered forms,
-// gabor_filter.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -24,10 +22,18 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
+#ifndef GABOR_NOISE_HPP
+#include "gabor_noise.hpp"
+#endif
 #ifndef GABOR_SPECTRUM_HPP
-#error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_materials.hpp
+#include "gabor_spectrum.hpp"
+#endif
+#ifndef GABOR_FILTER_HPP
+#include "gabor_filter.hpp"
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.hpp needs GABOR_TAPS 3

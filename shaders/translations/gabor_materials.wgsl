@@ -1,18 +1,15 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 034a21d79487db42.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
+// Constants that you may edit: GABOR_MATERIALS_GLSL.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.wgsl, gabor_spectrum.wgsl and, for the filtered forms,
-// gabor_filter.wgsl.
+//     let m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
+//     let f = gabor_wood_filtered(p, dpdx(p), dpdy(p), 7u);  // averaged over a pixel
 //
-//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
-//     GaborMaterial f = gabor_wood_filtered(p, dpdx(p), dpdy(p), 7u);  // averaged over a pixel
-//
-//     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
+//     var oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
-//     GaborMaterial o = gabor_wood_at(p, vec2f(0.0), oak, 7u);
+//     let o = gabor_wood_at(p, vec2f(0.0), oak, 7u);
 //
 //     I want                                   call
 //     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
@@ -25,16 +22,18 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+const_assert GABOR_TAPS == 3; // gabor_materials.wgsl needs GABOR_TAPS 3
+
 struct GaborMaterial {
-    colour: vec3<f32>, // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
-    height: f32, // height in units of p
-    slope: vec2<f32>, // derivatives of the height along x and y
+    colour: vec3f,  // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
+    height: f32,    // height in units of p
+    slope: vec2f,   // derivatives of the height along x and y
     roughness: f32, // roughness as in glTF, without what the filter removed
     metalness: f32, // 0 or 1, or between them at the edges of patina
-    lost: vec3<f32>, // covariance of the slopes that the filter removed: xx, yy, xy
+    lost: vec3f,    // covariance of the slopes that the filter removed: xx, yy, xy
 }
 
-// f32 gabor_roughness(GaborMaterial material)
+// fn gabor_roughness(material: GaborMaterial) -> f32
 //     The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by
 //     half of the variance of the removed slopes: with this share, GGX reflects a room most nearly as the relief does.
 
@@ -42,11 +41,11 @@ struct GaborMaterial {
 //
 // Each has a struct of parameters and these functions, here for wood:
 //
-// GaborWood gabor_wood_default()
-// GaborMaterial gabor_wood(vec2f p, u32 seed)
-// GaborMaterial gabor_wood_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
-// GaborMaterial gabor_wood_at(vec2f p, vec2f period, GaborWood wood, u32 seed)
-// GaborMaterial gabor_wood_filtered_at(vec2f p, vec2f dx, vec2f dy, vec2f period, GaborWood wood, u32 seed)
+// fn gabor_wood_default() -> GaborWood
+// fn gabor_wood(p: vec2f, seed: u32) -> GaborMaterial
+// fn gabor_wood_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial
+// fn gabor_wood_at(p: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMaterial
+// fn gabor_wood_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMaterial
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dpdx(p) and dpdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2f(0.0)
@@ -58,121 +57,121 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    early: vec3<f32>, // colour of the early wood
-    late: vec3<f32>, // colour of the late wood
-    rings: f32, // growth rings per unit, 2 to 60
-    waviness: f32, // how much the rings bend, 0 to 3
-    pores: f32, // strength of the pores, 0 to 1
+    early: vec3f,   // colour of the early wood
+    late: vec3f,    // colour of the late wood
+    rings: f32,     // growth rings per unit, 2 to 60
+    waviness: f32,  // how much the rings bend, 0 to 3
+    pores: f32,     // strength of the pores, 0 to 1
     roughness: f32, // roughness of the early wood, 0 to 1
 }
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    warp: vec3<f32>, // colour of the threads along y
-    weft: vec3<f32>, // colour of the threads along x
-    threads: f32, // threads per unit, 2 to 60
+    warp: vec3f,     // colour of the threads along y
+    weft: vec3f,     // colour of the threads along x
+    threads: f32,    // threads per unit, 2 to 60
     unevenness: f32, // unevenness of the threads' thickness, shade and course, 0 to 2
-    relief: f32, // height of the weave and of the cords, relative to the default, 0 to 3
-    roughness: f32, // 0 to 1
-    cords: f32, // cords per unit, 0 to 20
-    weave: f32, // plain weave 0, twill 1, herringbone 2, 0 to 2
+    relief: f32,     // height of the weave and of the cords, relative to the default, 0 to 3
+    roughness: f32,  // 0 to 1
+    cords: f32,      // cords per unit, 0 to 20
+    weave: f32,      // plain weave 0, twill 1, herringbone 2, 0 to 2
 }
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    pebble: vec3<f32>, // colour of the cells
-    crease: vec3<f32>, // colour between the cells
-    cells: f32, // cells per unit, 2 to 30
-    wrinkles: f32, // how much the rows of cells bend, 0 to 3
-    relief: f32, // height of the cells, relative to the default, 0 to 3
+    pebble: vec3f,  // colour of the cells
+    crease: vec3f,  // colour between the cells
+    cells: f32,     // cells per unit, 2 to 30
+    wrinkles: f32,  // how much the rows of cells bend, 0 to 3
+    relief: f32,    // height of the cells, relative to the default, 0 to 3
     roughness: f32, // roughness of the cells, 0 to 0.7
 }
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    stone: vec3<f32>, // colour of the stone
-    vein: vec3<f32>, // colour of the darkest veins
-    veins: f32, // strength of the veins, 0 to 1.3
+    stone: vec3f,    // colour of the stone
+    vein: vec3f,     // colour of the darkest veins
+    veins: f32,      // strength of the veins, 0 to 1.3
     turbulence: f32, // how much the veins bend, 0 to 2
-    clouds: f32, // darkening by clouds, 0 to 1
-    roughness: f32, // 0 to 1
+    clouds: f32,     // darkening by clouds, 0 to 1
+    roughness: f32,  // 0 to 1
 }
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    trough: vec3<f32>, // colour of the troughs
-    crest: vec3<f32>, // colour of the crests
-    ripples: f32, // ripples per unit, 1 to 20
-    relief: f32, // height of the ripples, in units, 0 to 0.2
-    grain: f32, // contrast of the grains, 0 to 0.25
+    trough: vec3f,  // colour of the troughs
+    crest: vec3f,   // colour of the crests
+    ripples: f32,   // ripples per unit, 1 to 20
+    relief: f32,    // height of the ripples, in units, 0 to 0.2
+    grain: f32,     // contrast of the grains, 0 to 0.25
     roughness: f32, // 0 to 1
 }
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    colour: vec3<f32>, // colour of the metal
-    patina: vec3<f32>, // colour of the patina
-    streaks: f32, // number of the widest streaks per unit, 1 to 50
-    contrast: f32, // contrast of the streaks, 0 to 0.5
-    relief: f32, // height of the widest streaks, in units, 0 to 0.01
-    roughness: f32, // roughness of the metal, 0 to 1
+    colour: vec3f,   // colour of the metal
+    patina: vec3f,   // colour of the patina
+    streaks: f32,    // number of the widest streaks per unit, 1 to 50
+    contrast: f32,   // contrast of the streaks, 0 to 0.5
+    relief: f32,     // height of the widest streaks, in units, 0 to 0.01
+    roughness: f32,  // roughness of the metal, 0 to 1
     weathering: f32, // amount of patina, 0 to 1
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    lacquer: vec3<f32>, // colour of the lacquer
-    scratch: vec3<f32>, // colour in the scratches
-    amount: f32, // number of scratches, relative to the default, 0.01 to 8
-    reach: f32, // length of the scratches, in units, 0.3 to 10
+    lacquer: vec3f, // colour of the lacquer
+    scratch: vec3f, // colour in the scratches
+    amount: f32,    // number of scratches, relative to the default, 0.01 to 8
+    reach: f32,     // length of the scratches, in units, 0.3 to 10
     direction: f32, // mean direction of the scratches, -6.2832 to 6.2832 radians
-    spread: f32, // range of the scratches' directions, 0 to 3.1416 radians
-    depth: f32, // depth of the scratches, in units, 0 to 0.02
+    spread: f32,    // range of the scratches' directions, 0 to 3.1416 radians
+    depth: f32,     // depth of the scratches, in units, 0 to 0.02
     roughness: f32, // 0 to 1
 }
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    bright: vec3<f32>, // colour between the stripes
-    stripe: vec3<f32>, // colour of the stripes
-    stripes: f32, // stripes per unit, 0.5 to 20
+    bright: vec3f,  // colour between the stripes
+    stripe: vec3f,  // colour of the stripes
+    stripes: f32,   // stripes per unit, 0.5 to 20
     direction: f32, // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    bends: f32, // how much the stripes' direction changes, 0 to 1.5708 radians
-    hair: f32, // contrast of the hair, 0 to 3
+    bends: f32,     // how much the stripes' direction changes, 0 to 1.5708 radians
+    hair: f32,      // contrast of the hair, 0 to 3
     roughness: f32, // 0 to 1
 }
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    plate: vec3<f32>, // colour of the plates
-    furrow: vec3<f32>, // colour of the furrows
-    moss: vec3<f32>, // colour of the moss
-    furrows: f32, // furrows per unit, 0.5 to 10
-    cover: f32, // amount of moss, 0 to 1
-    depth: f32, // depth of the furrows, in units, 0 to 0.4
+    plate: vec3f,   // colour of the plates
+    furrow: vec3f,  // colour of the furrows
+    moss: vec3f,    // colour of the moss
+    furrows: f32,   // furrows per unit, 0.5 to 10
+    cover: f32,     // amount of moss, 0 to 1
+    depth: f32,     // depth of the furrows, in units, 0 to 0.4
     roughness: f32, // 0 to 1
 }
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    colour: vec3<f32>, // colour of the fibres
-    tows: f32, // tows per unit, 1 to 20
-    contrast: f32, // contrast of the fibres, 0 to 0.6
-    relief: f32, // height of the tows, relative to the default, 0 to 3
+    colour: vec3f,  // colour of the fibres
+    tows: f32,      // tows per unit, 1 to 20
+    contrast: f32,  // contrast of the fibres, 0 to 0.6
+    relief: f32,    // height of the tows, relative to the default, 0 to 3
     roughness: f32, // 0 to 1
 }
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    rock: vec3<f32>, // colour of the darker rock
-    sandstone: vec3<f32>, // colour of the lighter rock
-    red: vec3<f32>, // colour of the soft layers
-    pale: vec3<f32>, // colour of the thin layers
-    layers: f32, // layers per unit, 1 to 30
-    folds: f32, // how much the layers bend, 0 to 3
-    relief: f32, // height of the layers, relative to the default, 0 to 3
-    roughness: f32, // 0 to 1
+    rock: vec3f,      // colour of the darker rock
+    sandstone: vec3f, // colour of the lighter rock
+    red: vec3f,       // colour of the soft layers
+    pale: vec3f,      // colour of the thin layers
+    layers: f32,      // layers per unit, 1 to 30
+    folds: f32,       // how much the layers bend, 0 to 3
+    relief: f32,      // height of the layers, relative to the default, 0 to 3
+    roughness: f32,   // 0 to 1
 }
 
 // ====================================================================================================================
@@ -194,27 +193,19 @@ struct GaborStrata {
 // and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
-fn gabor_impl_times(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
-    let _e11 = ((a.x * b.yz) + (b.x * a.yz));
-    return vec3<f32>((a.x * b.x), _e11.x, _e11.y);
+fn gabor_impl_times(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(a.x * b.x, a.x * b.yz + b.x * a.yz);
 }
 
 // The matrix v v^T: xx, yy, xy.
-fn gabor_impl_square(v: vec2<f32>) -> vec3<f32> {
-    let _e1 = (v * v);
-    return vec3<f32>(_e1.x, _e1.y, (v.x * v.y));
+fn gabor_impl_square(v: vec2f) -> vec3f {
+    return vec3f(v * v, v.x * v.y);
 }
 
 // (x y)^T M (x y), where M has the elements xx, yy, xy.
-fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f32> {
-    var a_8: vec2<f32>;
-    var b_11: vec2<f32>;
-    a_8 = ((m.xy * x) + (m.z * x.yx));
-    b_11 = ((m.xy * y) + (m.z * y.yx));
-    let _e17 = a_8;
-    let _e19 = b_11;
-    let _e21 = b_11;
-    return vec3<f32>(dot(x, _e17), dot(y, _e19), dot(x, _e21));
+fn gabor_impl_turned_square(m: vec3f, x: vec2f, y: vec2f) -> vec3f {
+    let a = m.xy * x + m.z * x.yx; let b = m.xy * y + m.z * y.yx;
+    return vec3f(dot(x, a), dot(y, b), dot(x, b));
 }
 
 // ---- Positions -----------------------------------------------------------------------------------------------------
@@ -222,226 +213,91 @@ fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f3
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
 // filter, and the period, 0 for none. Warps move it and bend the steps.
 struct GaborImplPixel {
-    position: vec2<f32>,
-    by_x: vec2<f32>,
-    by_y: vec2<f32>,
-    dx: vec2<f32>,
-    dy: vec2<f32>,
-    period: vec2<f32>,
+    position: vec2f,
+    by_x: vec2f,
+    by_y: vec2f,
+    dx: vec2f,
+    dy: vec2f,
+    period: vec2f,
 }
 
-fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborImplPixel {
-    var p_12: vec2<f32>;
-    var local_24: vec2<f32>;
-    p_12 = p;
-    let _e5 = p_12;
-    if (period.x > 0f) {
-        let _e9 = p_12;
-        local_24 = (period * floor((_e9 / period)));
-    } else {
-        local_24 = vec2(0f);
-    }
-    let _e16 = local_24;
-    p_12 = (_e5 - _e16);
-    let _e18 = p_12;
-    return GaborImplPixel(_e18, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), dx, dy, period);
+fn gabor_impl_pixel_at(p_in: vec2f, dx: vec2f, dy: vec2f, period: vec2f) -> GaborImplPixel {
+    var p = p_in;
+    p -= select(vec2f(0.0), period * floor(p / period), period.x > 0.0);
+    return GaborImplPixel(p, vec2f(1.0, 0.0), vec2f(0.0, 1.0), dx, dy, period);
 }
 
 // A position along the warped x or y axis, with derivatives.
-fn gabor_impl_along_x(at: GaborImplPixel) -> vec3<f32> {
-    return vec3<f32>(at.position.x, at.by_x.x, at.by_y.x);
+fn gabor_impl_along_x(at: GaborImplPixel) -> vec3f {
+    return vec3f(at.position.x, at.by_x.x, at.by_y.x);
 }
-fn gabor_impl_along_y(at: GaborImplPixel) -> vec3<f32> {
-    return vec3<f32>(at.position.y, at.by_x.y, at.by_y.y);
+fn gabor_impl_along_y(at: GaborImplPixel) -> vec3f {
+    return vec3f(at.position.y, at.by_x.y, at.by_y.y);
 }
 
 // The place of a layer with `density` kernel radii per unit along x and y.
-fn gabor_impl_place(at: GaborImplPixel, density: vec2<f32>) -> GaborPlace {
-    if (at.period.x > 0f) {
-        let _e10 = gabor_place_tiled((density * at.position), (density * at.period));
-        return _e10;
+fn gabor_impl_place(at: GaborImplPixel, density: vec2f) -> GaborPlace {
+    if (at.period.x > 0.0) {
+        return gabor_place_tiled(density * at.position, density * at.period);
     }
-    let _e13 = gabor_place_at((density * at.position));
-    return _e13;
+    return gabor_place_at(density * at.position);
 }
 
-fn gabor_impl_three_line_words(index: i32, period: i32, salt: u32) -> vec3<u32> {
-    var first_2: i32;
-    var second_2: i32;
-    let _e3 = gabor_impl_wrap(index, period);
-    first_2 = _e3;
-    let _e5 = first_2;
-    let _e6 = gabor_impl_next_node(_e5, period);
-    second_2 = _e6;
-    let _e8 = first_2;
-    let _e9 = gabor_impl_line_word(_e8, salt);
-    let _e10 = second_2;
-    let _e11 = gabor_impl_line_word(_e10, salt);
-    let _e12 = second_2;
-    let _e13 = gabor_impl_next_node(_e12, period);
-    let _e14 = gabor_impl_line_word(_e13, salt);
-    return vec3<u32>(_e9, _e11, _e14);
+fn gabor_impl_three_line_words(index: i32, period: i32, salt: u32) -> vec3u {
+    let first = gabor_impl_wrap(index, period); let second = gabor_impl_next_node(first, period);
+    return vec3u(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
 }
 
 // Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
-fn gabor_impl_add_spots(value: ptr<function, vec2<f32>>, slope: ptr<function, vec4<f32>>, words: vec3<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
-    var a_9: vec2<f32>;
-    var b_12: vec2<f32>;
-    var c_6: vec2<f32>;
-    var row_6: vec2<f32>;
-    let _e8 = gabor_impl_amplitude(words.x);
-    a_9 = _e8;
-    let _e11 = gabor_impl_amplitude(words.y);
-    b_12 = _e11;
-    let _e14 = gabor_impl_amplitude(words.z);
-    c_6 = _e14;
-    let _e17 = a_9;
-    let _e20 = b_12;
-    let _e24 = c_6;
-    row_6 = (((x.x * _e17) + (x.y * _e20)) + (x.z * _e24));
-    let _e28 = (*value);
-    let _e29 = row_6;
-    (*value) = (_e28 + (y * _e29));
-    let _e32 = (*slope);
-    let _e34 = a_9;
-    let _e37 = b_12;
-    let _e41 = c_6;
-    let _e44 = (y * (((slope_x.x * _e34) + (slope_x.y * _e37)) + (slope_x.z * _e41)));
-    let _e45 = row_6;
-    let _e46 = (slope_y * _e45);
-    (*slope) = (_e32 + vec4<f32>(_e44.x, _e44.y, _e46.x, _e46.y));
-    return;
+fn gabor_impl_add_spots(value: ptr<function, vec2f>, slope: ptr<function, vec4f>, words: vec3u, x: vec4f,
+                        slope_x: vec4f, y: f32, slope_y: f32) {
+    let a = gabor_impl_amplitude(words.x); let b = gabor_impl_amplitude(words.y); let c = gabor_impl_amplitude(words.z);
+    let row = x.x * a + x.y * b + x.z * c;
+    *value += y * row;
+    *slope += vec4f(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
 }
 
 // Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
 fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
-    var zero_2: vec2<f32>;
-    var offset: vec2<f32>;
-    var salt_11: u32;
-    var columns_5: vec3<u32>;
-    var rows_3: vec3<u32>;
-    var x_14: vec4<f32>;
-    var y_11: vec4<f32>;
-    var slope_x_1: vec4<f32>;
-    var slope_y_1: vec4<f32>;
-    var value_12: vec2<f32> = vec2(0f);
-    var slope_10: vec4<f32> = vec4(0f);
-    var local_25: f32;
-    var scale_1: f32;
-    var stretch_6: vec2<f32>;
-    zero_2 = floor((place.local + vec2(0.5f)));
-    let _e9 = zero_2;
-    offset = clamp((place.local - _e9), vec2(-0.5f), vec2(0.5f));
-    let _e18 = gabor_impl_salt(seed);
-    salt_11 = _e18;
-    let _e22 = zero_2;
-    let _e30 = salt_11;
-    let _e31 = gabor_impl_three_line_words(((place.cell.x + i32(_e22.x)) - 1i), place.period.x, _e30);
-    columns_5 = _e31;
-    let _e35 = zero_2;
-    let _e43 = salt_11;
-    let _e46 = gabor_impl_three_line_words(((place.cell.y + i32(_e35.y)) - 1i), place.period.y, (_e43 ^ 1540483477u));
-    rows_3 = _e46;
-    let _e52 = offset;
-    gabor_impl_windows(_e52.x, (&x_14), (&slope_x_1));
-    let _e58 = offset;
-    gabor_impl_windows(_e58.y, (&y_11), (&slope_y_1));
-    let _e72 = columns_5;
-    let _e73 = rows_3;
-    let _e76 = x_14;
-    let _e77 = slope_x_1;
-    let _e78 = y_11;
-    let _e80 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
-    let _e86 = columns_5;
-    let _e87 = rows_3;
-    let _e90 = x_14;
-    let _e91 = slope_x_1;
-    let _e92 = y_11;
-    let _e94 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
-    let _e100 = columns_5;
-    let _e101 = rows_3;
-    let _e104 = x_14;
-    let _e105 = slope_x_1;
-    let _e106 = y_11;
-    let _e108 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e100 * _e101.z), _e104, _e105, _e106.z, _e108.z);
-    if false {
-        local_25 = 1f;
-    } else {
-        local_25 = 1.125f;
-    }
-    let _e123 = local_25;
-    scale_1 = (1f / (1459955300000000000000000000f * _e123));
-    let _e127 = scale_1;
-    stretch_6 = ((_e127 * place.radius) / vec2(1.5f));
-    let _e137 = scale_1;
-    let _e138 = value_12;
-    let _e141 = stretch_6;
-    let _e142 = slope_10;
-    let _e145 = scale_1;
-    let _e146 = value_12;
-    let _e149 = stretch_6;
-    let _e150 = slope_10;
-    return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
+    let zero = floor(place.local + 0.5); let offset = clamp(place.local - zero, vec2f(-0.5), vec2f(0.5));
+    let salt = gabor_impl_salt(seed);
+    let columns = gabor_impl_three_line_words(place.cell.x + i32(zero.x) - 1, place.period.x, salt);
+    let rows = gabor_impl_three_line_words(place.cell.y + i32(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
+    var x: vec4f; var y: vec4f; var slope_x: vec4f; var slope_y: vec4f;
+    gabor_impl_windows(offset.x, &x, &slope_x);
+    gabor_impl_windows(offset.y, &y, &slope_y);
+    var value = vec2f(0.0);
+    var slope = vec4f(0.0);
+    gabor_impl_add_spots(&value, &slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_spots(&value, &slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_spots(&value, &slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    let scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    let stretch = scale * place.radius / GABOR_RADIUS;
+    return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
-fn gabor_impl_radii(at: GaborImplPixel, density: vec2<f32>) -> vec4<f32> {
-    let _e3 = (density * at.dx);
-    let _e5 = (density * at.dy);
-    return vec4<f32>(_e3.x, _e3.y, _e5.x, _e5.y);
+fn gabor_impl_radii(at: GaborImplPixel, density: vec2f) -> vec4f {
+    return vec4f(density * at.dx, density * at.dy);
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
 // their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
 // and the slopes of a filtered height leave out how the steps change.
-fn gabor_impl_warp(at: GaborImplPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborImplPixel {
-    var amplitude_5: vec2<f32>;
-    var steps: vec4<f32>;
-    var size: f32;
-    var bend: f32;
-    var field_10: GaborField;
-    var along_x_3: vec2<f32>;
-    var along_y_3: vec2<f32>;
-    amplitude_5 = amplitude;
-    let _e6 = gabor_impl_radii(at, density);
-    steps = _e6;
-    let _e8 = steps;
-    let _e9 = steps;
-    size = min(dot(_e8, _e9), 1000000f);
-    let _e17 = size;
-    bend = (1f / (1f + (64f * _e17)));
-    let _e22 = amplitude_5;
-    let _e25 = size;
-    amplitude_5 = (_e22 / vec2((1f + (0.822467f * _e25))));
-    let _e30 = gabor_impl_place(at, density);
-    let _e31 = gabor_lobe_seed(seed, index);
-    let _e32 = gabor_impl_spots(_e30, _e31);
-    field_10 = _e32;
-    let _e34 = amplitude_5;
-    let _e37 = field_10;
-    let _e40 = field_10;
-    along_x_3 = ((_e34 * density.x) * vec2<f32>(_e37.quadrature_gradient.x, _e40.gradient.x));
-    let _e46 = amplitude_5;
-    let _e49 = field_10;
-    let _e52 = field_10;
-    along_y_3 = ((_e46 * density.y) * vec2<f32>(_e49.quadrature_gradient.y, _e52.gradient.y));
-    let _e59 = amplitude_5;
-    let _e60 = field_10;
-    let _e62 = field_10;
-    let _e70 = along_x_3;
-    let _e75 = along_y_3;
-    let _e81 = along_x_3;
-    let _e86 = along_y_3;
-    let _e90 = bend;
-    let _e93 = along_x_3;
-    let _e97 = along_y_3;
-    let _e103 = bend;
-    let _e106 = along_x_3;
-    let _e110 = along_y_3;
-    return GaborImplPixel((at.position + (_e59 * vec2<f32>(_e60.quadrature, _e62.noise))), ((at.by_x + (at.by_x.x * _e70)) + (at.by_x.y * _e75)), ((at.by_y + (at.by_y.x * _e81)) + (at.by_y.y * _e86)), (at.dx + (_e90 * ((at.dx.x * _e93) + (at.dx.y * _e97)))), (at.dy + (_e103 * ((at.dy.x * _e106) + (at.dy.y * _e110)))), at.period);
+fn gabor_impl_warp(at: GaborImplPixel, density: vec2f, amplitude_in: vec2f, seed: u32, index: i32) -> GaborImplPixel {
+    var amplitude = amplitude_in;
+    let steps = gabor_impl_radii(at, density);
+    let size = min(dot(steps, steps), 1.0e6); let bend = 1.0 / (1.0 + 64.0 * size);
+    amplitude /= 1.0 + 0.82246703 * size;
+    let field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    let along_x = amplitude * density.x * vec2f(field.quadrature_gradient.x, field.gradient.x);
+    let along_y = amplitude * density.y * vec2f(field.quadrature_gradient.y, field.gradient.y);
+    return GaborImplPixel(at.position + amplitude * vec2f(field.quadrature, field.noise),
+                          at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -449,126 +305,43 @@ fn gabor_impl_warp(at: GaborImplPixel, density: vec2<f32>, amplitude: vec2<f32>,
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(at: GaborImplPixel, angle: f32) -> GaborImplPixel {
-    var turn_10: vec2<f32>;
-    var x_15: vec2<f32>;
-    var y_12: vec2<f32>;
-    var period_8: vec2<f32> = vec2(0f);
-    var whole: vec2<f32>;
-    var size_1: vec2<f32>;
-    var local_26: f32;
-    var local_27: f32;
-    var signs: vec2<f32>;
-    var local_28: vec2<f32>;
-    var local_29: vec2<f32>;
-    var local_30: vec2<f32>;
-    var other: vec2<f32>;
-    let _e4 = gabor_impl_wave((0.15915494f * angle));
-    turn_10 = _e4;
-    let _e6 = turn_10;
-    x_15 = _e6;
-    let _e8 = turn_10;
-    let _e11 = turn_10;
-    y_12 = vec2<f32>(-(_e8.y), _e11.x);
-    if (at.period.x > 0f) {
-        {
-            let _e23 = turn_10;
-            whole = floor(((3f * normalize((_e23 / at.period))) + vec2(0.5f)));
-            let _e33 = whole;
-            size_1 = abs(_e33);
-            let _e36 = whole;
-            if (_e36.x < 0f) {
-                local_26 = -1f;
-            } else {
-                local_26 = 1f;
-            }
-            let _e44 = local_26;
-            let _e45 = whole;
-            if (_e45.y < 0f) {
-                local_27 = -1f;
-            } else {
-                local_27 = 1f;
-            }
-            let _e53 = local_27;
-            signs = vec2<f32>(_e44, _e53);
-            let _e56 = size_1;
-            let _e58 = size_1;
-            let _e61 = size_1;
-            let _e63 = size_1;
-            if ((_e56.x == _e58.y) || ((_e61.x * _e63.y) == 0f)) {
-                let _e69 = signs;
-                let _e70 = size_1;
-                whole = (_e69 * min(_e70, vec2(1f)));
-            }
-            let _e75 = whole;
-            size_1 = abs(_e75);
-            let _e77 = size_1;
-            let _e81 = size_1;
-            if ((_e77.x > 1f) && (_e81.y > 1f)) {
-                let _e86 = size_1;
-                let _e88 = size_1;
-                if (_e86.x > _e88.y) {
-                    let _e91 = signs;
-                    local_28 = _e91;
-                } else {
-                    let _e92 = signs;
-                    local_28 = -(_e92);
-                }
-                let _e95 = local_28;
-                local_30 = _e95;
-            } else {
-                let _e96 = size_1;
-                if (_e96.x == 1f) {
-                    let _e101 = whole;
-                    local_29 = vec2<f32>(0f, _e101.x);
-                } else {
-                    let _e104 = whole;
-                    local_29 = vec2<f32>(-(_e104.y), 0f);
-                }
-                let _e110 = local_29;
-                local_30 = _e110;
-            }
-            let _e112 = local_30;
-            other = _e112;
-            let _e115 = whole;
-            period_8.x = length((_e115 * at.period));
-            let _e125 = period_8;
-            period_8.y = ((at.period.x * at.period.y) / _e125.x);
-            let _e128 = period_8;
-            let _e130 = other;
-            let _e132 = other;
-            x_15 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / at.period);
-            let _e139 = period_8;
-            let _e141 = whole;
-            let _e144 = whole;
-            y_12 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / at.period);
+    let turn = gabor_impl_wave(0.15915494 * angle);
+    var x = turn;
+    var y = vec2f(-turn.y, turn.x);
+    var period = vec2f(0.0);
+    if (at.period.x > 0.0) {
+        var whole = floor(3.0 * normalize(turn / at.period) + 0.5);
+        var size = abs(whole);
+        let signs = vec2f(select(1.0, -1.0, whole.x < 0.0), select(1.0, -1.0, whole.y < 0.0));
+        if (size.x == size.y || size.x * size.y == 0.0) { // (2, 2), (3, 0), (0, 3) become (1, 1), (1, 0), (0, 1)
+            whole = signs * min(size, vec2f(1.0));
         }
+        size = abs(whole);
+        let other = select(select(vec2f(-whole.y, 0.0),
+                       vec2f(0.0, whole.x), size.x == 1.0),
+                     select(-signs, signs, size.x > size.y), size.x > 1.0 && size.y > 1.0);
+        period.x = length(whole * at.period);
+        period.y = at.period.x * at.period.y / period.x;
+        x = period.x * vec2f(other.y, -other.x) / at.period;
+        y = period.y * vec2f(-whole.y, whole.x) / at.period;
     }
-    let _e150 = x_15;
-    let _e153 = y_12;
-    let _e157 = x_15;
-    let _e160 = y_12;
-    let _e164 = x_15;
-    let _e167 = y_12;
-    let _e171 = x_15;
-    let _e174 = y_12;
-    let _e178 = x_15;
-    let _e181 = y_12;
-    let _e185 = period_8;
-    return GaborImplPixel(vec2<f32>(dot(_e150, at.position), dot(_e153, at.position)), vec2<f32>(dot(_e157, at.by_x), dot(_e160, at.by_x)), vec2<f32>(dot(_e164, at.by_y), dot(_e167, at.by_y)), vec2<f32>(dot(_e171, at.dx), dot(_e174, at.dx)), vec2<f32>(dot(_e178, at.dy), dot(_e181, at.dy)), _e185);
+    return GaborImplPixel(vec2f(dot(x, at.position), dot(y, at.position)), vec2f(dot(x, at.by_x), dot(y, at.by_x)),
+                          vec2f(dot(x, at.by_y), dot(y, at.by_y)), vec2f(dot(x, at.dx), dot(y, at.dx)),
+                          vec2f(dot(x, at.dy), dot(y, at.dy)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
 // multiple of `whole` repetitions.
-fn gabor_impl_repeated(pixel: GaborImplPixel, count: f32, whole: f32) -> vec2<f32> {
-    if (pixel.period.x > 0f) {
-        return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
+fn gabor_impl_repeated(pixel: GaborImplPixel, count: f32, whole: f32) -> vec2f {
+    if (pixel.period.x > 0.0) {
+        return max(floor(pixel.period * (count / whole) + 0.5), vec2f(1.0)) * whole / pixel.period;
     }
-    return vec2(count);
+    return vec2f(count);
 }
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
 fn gabor_impl_sine_kept(at: GaborImplPixel, count: f32) -> f32 {
-    return exp(-(min((((4.934802f * count) * count) * ((at.dx.x * at.dx.x) + (at.dy.x * at.dy.x))), 40f)));
+    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -578,962 +351,362 @@ fn gabor_impl_sine_kept(at: GaborImplPixel, count: f32) -> f32 {
 struct GaborImplLayer {
     slot: i32,
     at: GaborImplPixel,
-    density: vec2<f32>,
-    wave: vec2<f32>,
+    density: vec2f,
+    wave: vec2f,
     amplitude: f32,
     seed: u32,
 }
 
 // A layer of frequency 0.
-fn gabor_impl_spots_layer(slot: i32, at: GaborImplPixel, density: vec2<f32>, seed: u32, index: i32) -> GaborImplLayer {
-    let _e8 = gabor_lobe_seed(seed, index);
-    return GaborImplLayer(slot, at, density, vec2(0f), 1f, _e8);
+fn gabor_impl_spots_layer(slot: i32, at: GaborImplPixel, density: vec2f, seed: u32, index: i32) -> GaborImplLayer {
+    return GaborImplLayer(slot, at, density, vec2f(0.0), 1.0, gabor_lobe_seed(seed, index));
 }
 
-fn gabor_impl_waves_layer(slot: i32, at: GaborImplPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborImplLayer {
-    let _e7 = gabor_wave_vector(frequency, orientation);
-    let _e9 = gabor_lobe_seed(seed, index);
-    return GaborImplLayer(slot, at, density, _e7, 1f, _e9);
+fn gabor_impl_waves_layer(slot: i32, at: GaborImplPixel, density: vec2f, frequency: f32, orientation: f32, seed: u32,
+                          index: i32) -> GaborImplLayer {
+    return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                          gabor_lobe_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
-fn gabor_impl_octave(at: GaborImplPixel, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborImplLayer {
-    var power_5: f32;
-    power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
-    let _e27 = power_5;
-    let _e30 = gabor_lobe_seed(seed, i);
-    return GaborImplLayer(0i, at, (density * exp2((1.0214797f * f32(i)))), vec2(0f), (pow(gain, f32(i)) * inverseSqrt(_e27)), _e30);
+fn gabor_impl_octave(at: GaborImplPixel, density: vec2f, i: i32, count: i32, gain: f32, seed: u32) -> GaborImplLayer {
+    let power = (1.0 - pow(gain, 2.0 * f32(count))) / (1.0 - gain * gain);
+    return GaborImplLayer(0, at, density * exp2(1.0214797 * f32(i)), vec2f(0.0),
+                          pow(gain, f32(i)) * inverseSqrt(power), gabor_lobe_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
 // share of their variance that a filter removed, and the covariance of their derivatives that it removed.
 struct GaborImplPair {
-    first: vec3<f32>,
-    second: vec3<f32>,
+    first: vec3f,
+    second: vec3f,
     removed: f32,
-    lost: vec3<f32>,
+    lost: vec3f,
 }
 
 // The pairs of a material.
 struct GaborImplPairs {
-    pair_0_: GaborImplPair,
-    pair_1_: GaborImplPair,
-    pair_2_: GaborImplPair,
-    pair_3_: GaborImplPair,
-    pair_4_: GaborImplPair,
+    pair_0: GaborImplPair,
+    pair_1: GaborImplPair,
+    pair_2: GaborImplPair,
+    pair_3: GaborImplPair,
+    pair_4: GaborImplPair,
 }
 
 fn gabor_impl_no_pair() -> GaborImplPair {
-    return GaborImplPair(vec3(0f), vec3(0f), 0f, vec3(0f));
+    return GaborImplPair(vec3f(0.0), vec3f(0.0), 0.0, vec3f(0.0));
 }
 
 fn gabor_impl_no_pairs() -> GaborImplPairs {
-    var none_1: GaborImplPair;
-    let _e0 = gabor_impl_no_pair();
-    none_1 = _e0;
-    let _e2 = none_1;
-    let _e3 = none_1;
-    let _e4 = none_1;
-    let _e5 = none_1;
-    let _e6 = none_1;
-    return GaborImplPairs(_e2, _e3, _e4, _e5, _e6);
+    let none = gabor_impl_no_pair();
+    return GaborImplPairs(none, none, none, none, none);
 }
 
-fn gabor_impl_pair(layer: GaborImplLayer, field: GaborField, lost: vec3<f32>) -> GaborImplPair {
-    var x_16: vec2<f32>;
-    var y_13: vec2<f32>;
-    x_16 = (layer.density * layer.at.by_x);
-    y_13 = (layer.density * layer.at.by_y);
-    let _e15 = x_16;
-    let _e18 = y_13;
-    let _e23 = x_16;
-    let _e26 = y_13;
-    let _e30 = x_16;
-    let _e31 = y_13;
-    let _e32 = gabor_impl_turned_square(lost, _e30, _e31);
-    return GaborImplPair(vec3<f32>(field.quadrature, dot(field.quadrature_gradient, _e15), dot(field.quadrature_gradient, _e18)), vec3<f32>(field.noise, dot(field.gradient, _e23), dot(field.gradient, _e26)), field.removed, _e32);
+fn gabor_impl_pair(layer: GaborImplLayer, field: GaborField, lost: vec3f) -> GaborImplPair {
+    let x = layer.density * layer.at.by_x; let y = layer.density * layer.at.by_y;
+    return GaborImplPair(vec3f(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
+                         vec3f(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                         gabor_impl_turned_square(lost, x, y));
 }
 
 fn gabor_impl_plus(sum: GaborImplPair, pair: GaborImplPair, amplitude: f32) -> GaborImplPair {
-    return GaborImplPair((sum.first + (amplitude * pair.first)), (sum.second + (amplitude * pair.second)), (sum.removed + ((amplitude * amplitude) * pair.removed)), (sum.lost + ((amplitude * amplitude) * pair.lost)));
+    return GaborImplPair(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                         sum.removed + amplitude * amplitude * pair.removed,
+                         sum.lost + amplitude * amplitude * pair.lost);
 }
 
 fn gabor_impl_spots_pair(layer: GaborImplLayer) -> GaborImplPair {
-    let _e3 = gabor_impl_place(layer.at, layer.density);
-    let _e5 = gabor_impl_spots(_e3, layer.seed);
-    let _e8 = gabor_impl_pair(layer, _e5, vec3(0f));
-    return _e8;
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), vec3f(0.0));
 }
 
 // A sum and an octave of it.
 fn gabor_impl_plus_octave(sum: GaborImplPair, layer: GaborImplLayer) -> GaborImplPair {
-    let _e2 = gabor_impl_spots_pair(layer);
-    let _e4 = gabor_impl_plus(sum, _e2, layer.amplitude);
-    return _e4;
+    return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
 }
 
 fn gabor_impl_waves_pair(layer: GaborImplLayer) -> GaborImplPair {
-    let _e3 = gabor_impl_place(layer.at, layer.density);
-    let _e6 = gabor_field(_e3, layer.wave, layer.seed);
-    let _e9 = gabor_impl_pair(layer, _e6, vec3(0f));
-    return _e9;
+    return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
+                           vec3f(0.0));
 }
 
 // ---- Filtered spots: see gabor_filter.wgsl, with real windows ------------------------------------------------------
 
 // A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
 // derivatives of both.
-fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2<f32>) -> vec4<f32> {
-    var window_3: f32;
-    window_3 = (0.5f + (damped * (value - 0.5f)));
-    let _e11 = window_3;
-    let _e20 = window_3;
-    let _e27 = window_3;
-    return vec4<f32>((fade.x * _e11), ((fade.x * damped) * slope), (((fade.x * damped) * slope) + (fade.y * _e20)), ((-9.869604f * fade.x) * (_e27 - 0.5f)));
+fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2f) -> vec4f {
+    let window = 0.5 + damped * (value - 0.5);
+    return vec4f(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
+                -9.8696044 * fade.x * (window - 0.5));
 }
 
 // The nodes of an axis with its words.
 struct GaborImplSpotsAxis {
-    word: vec3<u32>,
-    first: vec4<f32>,
-    middle: vec4<f32>,
-    last: vec4<f32>,
+    word: vec3u,
+    first: vec4f,
+    middle: vec4f,
+    last: vec4f,
 }
 
 fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborImplSpotsAxis {
-    var zero_3: f32;
-    var offset_1: f32;
-    var damped_1: f32;
-    var width_4: f32;
-    var t_8: vec2<f32>;
-    var fade_5: vec2<f32>;
-    var change_1: vec2<f32>;
-    var value_14: vec4<f32>;
-    var slope_12: vec4<f32>;
-    zero_3 = floor((local + 0.5f));
-    let _e9 = zero_3;
-    offset_1 = clamp((local - _e9), -0.5f, 0.5f);
-    damped_1 = exp((-4.934802f * variance));
-    width_4 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
-    let _e30 = offset_1;
-    let _e32 = offset_1;
-    let _e37 = width_4;
-    t_8 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
-    let _e46 = t_8;
-    let _e47 = t_8;
-    let _e51 = t_8;
-    fade_5 = ((_e46 * _e47) * (vec2(3f) - (2f * _e51)));
-    let _e58 = width_4;
-    let _e60 = t_8;
-    let _e63 = t_8;
-    change_1 = ((((6f / _e58) * _e60) * (vec2(1f) - _e63)) * vec2<f32>(-1f, 1f));
-    let _e75 = offset_1;
-    gabor_impl_windows(_e75, (&value_14), (&slope_12));
-    let _e80 = zero_3;
-    let _e85 = gabor_impl_three_line_words(((cell + i32(_e80)) - 1i), period, salt);
-    let _e86 = value_14;
-    let _e88 = slope_12;
-    let _e90 = damped_1;
-    let _e91 = fade_5;
-    let _e93 = change_1;
-    let _e96 = gabor_impl_spots_node(_e86.x, _e88.x, _e90, vec2<f32>(_e91.x, _e93.x));
-    let _e97 = value_14;
-    let _e99 = slope_12;
-    let _e101 = damped_1;
-    let _e105 = gabor_impl_spots_node(_e97.y, _e99.y, _e101, vec2<f32>(1f, 0f));
-    let _e106 = value_14;
-    let _e108 = slope_12;
-    let _e110 = damped_1;
-    let _e111 = fade_5;
-    let _e113 = change_1;
-    let _e116 = gabor_impl_spots_node(_e106.z, _e108.z, _e110, vec2<f32>(_e111.y, _e113.y));
-    return GaborImplSpotsAxis(_e85, _e96, _e105, _e116);
+    let zero = floor(local + 0.5); let offset = clamp(local - zero, -0.5, 0.5);
+    let damped = exp(-4.934802 * variance); let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
+    let t = clamp((0.33333333 + 0.66666667 * vec2f(-offset, offset)) / width, vec2f(0.0), vec2f(1.0));
+    let fade = t * t * (3.0 - 2.0 * t); let change = 6.0 / width * t * (1.0 - t) * vec2f(-1.0, 1.0);
+    var value: vec4f; var slope: vec4f;
+    gabor_impl_windows(offset, &value, &slope);
+    return GaborImplSpotsAxis(gabor_impl_three_line_words(cell + i32(zero) - 1, period, salt),
+                              gabor_impl_spots_node(value.x, slope.x, damped, vec2f(fade.x, change.x)),
+                              gabor_impl_spots_node(value.y, slope.y, damped, vec2f(1.0, 0.0)),
+                              gabor_impl_spots_node(value.z, slope.z, damped, vec2f(fade.y, change.y)));
 }
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborImplSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
-    var a_10: vec2<f32>;
-    var b_13: vec2<f32>;
-    var c_7: vec2<f32>;
-    var real_3: vec4<f32>;
-    var imaginary_3: vec4<f32>;
-    let _e9 = gabor_impl_amplitude((x.word.x * word));
-    a_10 = _e9;
-    let _e14 = gabor_impl_amplitude((x.word.y * word));
-    b_13 = _e14;
-    let _e19 = gabor_impl_amplitude((x.word.z * word));
-    c_7 = _e19;
-    let _e22 = a_10;
-    let _e26 = b_13;
-    let _e31 = c_7;
-    real_3 = (((x.first * _e22.x) + (x.middle * _e26.x)) + (x.last * _e31.x));
-    let _e37 = a_10;
-    let _e41 = b_13;
-    let _e46 = c_7;
-    imaginary_3 = (((x.first * _e37.y) + (x.middle * _e41.y)) + (x.last * _e46.y));
-    let _e51 = (*sum);
-    let _e53 = real_3;
-    let _e55 = imaginary_3;
-    let _e57 = real_3;
-    let _e59 = imaginary_3;
-    let _e65 = real_3;
-    let _e67 = imaginary_3;
-    let _e69 = real_3;
-    let _e71 = imaginary_3;
-    (*sum) = (_e51 + ((y.x * vec4<f32>(_e53.x, _e55.x, _e57.z, _e59.z)) + ((coupling * y.y) * vec4<f32>(_e65.y, _e67.y, _e69.w, _e71.w))));
-    let _e77 = (*along_y);
-    let _e79 = real_3;
-    let _e81 = imaginary_3;
-    let _e87 = real_3;
-    let _e89 = imaginary_3;
-    (*along_y) = (_e77 + ((y.z * vec2<f32>(_e79.x, _e81.x)) + ((coupling * y.w) * vec2<f32>(_e87.y, _e89.y))));
-    return;
+fn gabor_impl_add_spots_row(sum: ptr<function, vec4f>, along_y: ptr<function, vec2f>, x: GaborImplSpotsAxis, word: u32,
+                            y: vec4f, coupling: f32) {
+    let a = gabor_impl_amplitude(x.word.x * word); let b = gabor_impl_amplitude(x.word.y * word);
+    let c = gabor_impl_amplitude(x.word.z * word);
+    let real = x.first * a.x + x.middle * b.x + x.last * c.x;
+    let imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
+    *sum += y.x * vec4f(real.x, imaginary.x, real.z, imaginary.z)
+         + coupling * y.y * vec4f(real.y, imaginary.y, real.w, imaginary.w);
+    *along_y += y.z * vec2f(real.x, imaginary.x) + coupling * y.w * vec2f(real.y, imaginary.y);
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
 struct GaborImplSpotsLine {
     word: u32,
-    window: vec3<f32>,
-    fade: vec2<f32>,
+    window: vec3f,
+    fade: vec2f,
 }
 
 fn gabor_impl_spots_line(b: GaborImplFilteredAxis, index: i32) -> GaborImplSpotsLine {
-    var turn_11: vec2<f32>;
-    var real_4: vec3<f32>;
-    var imaginary_4: f32;
-    let _e9 = gabor_impl_wave(((0.5f / b.reach) * (b.offset - f32(index))));
-    turn_11 = _e9;
-    let _e12 = turn_11;
-    let _e15 = turn_11;
-    let _e18 = turn_11;
-    real_4 = (b.even_0_ + (_e12.x * (b.even_1_ + (_e15.x * (b.even_2_ + (_e18.x * b.even_3_))))));
-    let _e28 = turn_11;
-    let _e32 = turn_11;
-    let _e36 = turn_11;
-    imaginary_4 = (_e28.y * (b.odd_1_.y + (_e32.x * (b.odd_2_.y + (_e36.x * b.odd_3_.y)))));
-    let _e49 = gabor_impl_wrap((b.first + index), b.period);
-    let _e51 = gabor_impl_line_word(_e49, b.salt);
-    let _e52 = real_4;
-    let _e54 = imaginary_4;
-    let _e55 = real_4;
-    let _e58 = gabor_impl_fade(b, index);
-    return GaborImplSpotsLine(_e51, vec3<f32>(_e52.x, _e54, _e55.z), _e58);
+    let turn = gabor_impl_wave(0.5 / b.reach * (b.offset - f32(index)));
+    let real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    let imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
+    return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                              vec3f(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
 // derivative of its fade.
 struct GaborImplSpotsRow {
-    real: vec3<f32>,
-    imaginary: vec3<f32>,
-    edge: vec2<f32>,
+    real: vec3f,
+    imaginary: vec3f,
+    edge: vec2f,
 }
 
 fn gabor_impl_add_spot(row: ptr<function, GaborImplSpotsRow>, x: GaborImplSpotsLine, row_word: u32) {
-    var a_11: vec2<f32>;
-    let _e5 = gabor_impl_amplitude((x.word * row_word));
-    a_11 = _e5;
-    let _e8 = (*row);
-    let _e12 = a_11;
-    (*row).real = (_e8.real + ((x.fade.x * _e12.x) * x.window));
-    let _e19 = (*row);
-    let _e23 = a_11;
-    (*row).imaginary = (_e19.imaginary + ((x.fade.x * _e23.y) * x.window));
-    let _e30 = (*row);
-    let _e37 = a_11;
-    (*row).edge = (_e30.edge + ((x.fade.y * x.window.x) * _e37));
-    return;
+    let a = gabor_impl_amplitude(x.word * row_word);
+    (*row).real += x.fade.x * a.x * x.window;
+    (*row).imaginary += x.fade.x * a.y * x.window;
+    (*row).edge += x.fade.y * x.window.x * a;
 }
 
-fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
-    var m_3: vec2<f32>;
-    var rho_1: f32;
-    var r_2: f32;
-    var lambda_1: f32;
-    var mixed_1: f32;
-    var across_1: GaborImplFilteredAxis;
-    var along_1: GaborImplFilteredAxis;
-    var x_0_: GaborImplSpotsLine;
-    var x_1_: GaborImplSpotsLine;
-    var x_2_: GaborImplSpotsLine;
-    var x_3_: GaborImplSpotsLine;
-    var x_4_: GaborImplSpotsLine;
-    var value_15: vec2<f32> = vec2(0f);
-    var next_x_1: vec2<f32> = vec2(0f);
-    var next_y_1: vec2<f32> = vec2(0f);
-    var edge_x_1: vec2<f32> = vec2(0f);
-    var edge_y_1: vec2<f32> = vec2(0f);
-    var local_32: i32;
-    var rows_4: i32;
-    var j_5: i32 = 0i;
-    var y_15: GaborImplSpotsLine;
-    var row_8: GaborImplSpotsRow;
-    var w: vec3<f32>;
-    var sum_18: vec2<f32>;
-    var before_1: vec2<f32>;
-    var x_19: vec2<f32>;
-    var y_16: vec2<f32>;
-    var local_33: f32;
-    var scale_2: f32;
-    m_3 = (s.xy + vec2(0.13069098f));
-    let _e10 = m_3;
-    let _e12 = m_3;
-    rho_1 = (s.z * inverseSqrt((_e10.x * _e12.y)));
-    let _e19 = rho_1;
-    let _e20 = rho_1;
-    r_2 = sqrt((1f - (_e19 * _e20)));
-    let _e25 = rho_1;
-    let _e27 = r_2;
-    lambda_1 = (_e25 / (1f + _e27));
-    let _e34 = r_2;
-    let _e37 = r_2;
-    mixed_1 = (((78.95683f * s.z) * _e34) / (1f + _e37));
-    let _e43 = r_2;
-    let _e44 = m_3;
-    let _e57 = gabor_impl_filtered_axis(sqrt(s.x), (_e43 * _e44.x), 0f, place.cell.x, place.local.x, place.period.x, salt, vec2<f32>(1f, 0f));
-    across_1 = _e57;
-    let _e61 = r_2;
-    let _e62 = m_3;
-    let _e77 = gabor_impl_filtered_axis(sqrt(s.y), (_e61 * _e62.y), 0f, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), vec2<f32>(1f, 0f));
-    along_1 = _e77;
-    let _e79 = across_1;
-    let _e81 = gabor_impl_spots_line(_e79, 0i);
-    x_0_ = _e81;
-    let _e83 = across_1;
-    let _e85 = gabor_impl_spots_line(_e83, 1i);
-    x_1_ = _e85;
-    let _e87 = across_1;
-    let _e89 = gabor_impl_spots_line(_e87, 2i);
-    x_2_ = _e89;
-    let _e91 = across_1;
-    let _e93 = gabor_impl_spots_line(_e91, 3i);
-    x_3_ = _e93;
-    let _e95 = x_3_;
-    x_4_ = _e95;
-    let _e97 = across_1;
-    if (_e97.count == 5i) {
-        let _e101 = across_1;
-        let _e103 = gabor_impl_spots_line(_e101, 4i);
-        x_4_ = _e103;
-    }
-    if wanted {
-        let _e119 = along_1;
-        local_32 = _e119.count;
-    } else {
-        local_32 = 0i;
-    }
-    let _e123 = local_32;
-    rows_4 = _e123;
+fn gabor_impl_spots_wide(place: GaborPlace, s: vec3f, wanted: bool, salt: u32) -> GaborField {
+    let m = s.xy + 0.13069097;
+    let rho = s.z * inverseSqrt(m.x * m.y); let r = sqrt(1.0 - rho * rho); let lambda = rho / (1.0 + r);
+    let mixed = 78.956835 * s.z * r / (1.0 + r);
+    let across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
+                                                            place.period.x, salt, vec2f(1.0, 0.0));
+    let along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
+                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, vec2f(1.0, 0.0));
+    let x_0 = gabor_impl_spots_line(across, 0); let x_1 = gabor_impl_spots_line(across, 1);
+    let x_2 = gabor_impl_spots_line(across, 2); let x_3 = gabor_impl_spots_line(across, 3); var x_4 = x_3;
+    if (across.count == 5) { x_4 = gabor_impl_spots_line(across, 4); }
+    var value = vec2f(0.0); var next_x = vec2f(0.0); var next_y = vec2f(0.0); var edge_x = vec2f(0.0);
+    var edge_y = vec2f(0.0);
+    let rows = select(0, along.count, wanted); var j = 0; // see gabor_impl_filtered_wide
     loop {
-        {
-            let _e127 = along_1;
-            let _e128 = j_5;
-            let _e129 = gabor_impl_spots_line(_e127, _e128);
-            y_15 = _e129;
-            row_8 = GaborImplSpotsRow(vec3(0f), vec3(0f), vec2(0f));
-            let _e140 = x_0_;
-            let _e141 = y_15;
-            gabor_impl_add_spot((&row_8), _e140, _e141.word);
-            let _e145 = x_1_;
-            let _e146 = y_15;
-            gabor_impl_add_spot((&row_8), _e145, _e146.word);
-            let _e150 = x_2_;
-            let _e151 = y_15;
-            gabor_impl_add_spot((&row_8), _e150, _e151.word);
-            let _e155 = x_3_;
-            let _e156 = y_15;
-            gabor_impl_add_spot((&row_8), _e155, _e156.word);
-            let _e159 = across_1;
-            if (_e159.count == 5i) {
-                let _e164 = x_4_;
-                let _e165 = y_15;
-                gabor_impl_add_spot((&row_8), _e164, _e165.word);
-            }
-            let _e169 = mixed_1;
-            let _e171 = mixed_1;
-            let _e173 = mixed_1;
-            let _e176 = y_15;
-            w = (vec3<f32>(1f, _e169, ((0.5f * _e171) * _e173)) * _e176.window);
-            let _e180 = w;
-            let _e181 = row_8;
-            let _e184 = w;
-            let _e185 = row_8;
-            sum_18 = vec2<f32>(dot(_e180, _e181.real), dot(_e184, _e185.imaginary));
-            let _e190 = value_15;
-            let _e191 = y_15;
-            let _e194 = sum_18;
-            value_15 = (_e190 + (_e191.fade.x * _e194));
-            let _e197 = next_x_1;
-            let _e198 = y_15;
-            let _e201 = w;
-            let _e203 = row_8;
-            let _e206 = row_8;
-            let _e211 = w;
-            let _e213 = row_8;
-            let _e216 = row_8;
-            next_x_1 = (_e197 + (_e198.fade.x * ((_e201.x * vec2<f32>(_e203.real.y, _e206.imaginary.y)) - (_e211.y * vec2<f32>(_e213.real.z, _e216.imaginary.z)))));
-            let _e224 = next_y_1;
-            let _e225 = y_15;
-            let _e228 = y_15;
-            let _e231 = row_8;
-            let _e234 = row_8;
-            let _e239 = mixed_1;
-            let _e240 = y_15;
-            let _e244 = row_8;
-            let _e247 = row_8;
-            next_y_1 = (_e224 + (_e225.fade.x * ((_e228.window.y * vec2<f32>(_e231.real.x, _e234.imaginary.x)) - ((_e239 * _e240.window.z) * vec2<f32>(_e244.real.y, _e247.imaginary.y)))));
-            let _e255 = edge_x_1;
-            let _e256 = y_15;
-            let _e259 = w;
-            let _e262 = row_8;
-            edge_x_1 = (_e255 + ((_e256.fade.x * _e259.x) * _e262.edge));
-            let _e266 = edge_y_1;
-            let _e267 = y_15;
-            let _e270 = sum_18;
-            edge_y_1 = (_e266 + (_e267.fade.y * _e270));
-        }
-        let _e273 = j_5;
-        let _e275 = (_e273 + 1i);
-        j_5 = _e275;
-        let _e276 = rows_4;
-        if !((_e275 < _e276)) {
-            break;
-        }
+        let y = gabor_impl_spots_line(along, j);
+        var row = GaborImplSpotsRow(vec3f(0.0), vec3f(0.0), vec2f(0.0));
+        gabor_impl_add_spot(&row, x_0, y.word);
+        gabor_impl_add_spot(&row, x_1, y.word);
+        gabor_impl_add_spot(&row, x_2, y.word);
+        gabor_impl_add_spot(&row, x_3, y.word);
+        if (across.count == 5) { gabor_impl_add_spot(&row, x_4, y.word); }
+        let w = vec3f(1.0, mixed, 0.5 * mixed * mixed) * y.window;
+        let sum = vec2f(dot(w, row.real), dot(w, row.imaginary));
+        value += y.fade.x * sum;
+        next_x += y.fade.x * (w.x * vec2f(row.real.y, row.imaginary.y) - w.y * vec2f(row.real.z, row.imaginary.z));
+        next_y += y.fade.x * (y.window.y * vec2f(row.real.x, row.imaginary.x)
+                              - mixed * y.window.z * vec2f(row.real.y, row.imaginary.y));
+        edge_x += y.fade.x * w.x * row.edge;
+        edge_y += y.fade.y * sum;
+        continuing { j++; break if j >= rows; }
     }
-    let _e279 = lambda_1;
-    let _e280 = m_3;
-    let _e282 = m_3;
-    before_1 = (_e279 * sqrt((_e280.yx / _e282)));
-    let _e287 = edge_x_1;
-    let _e289 = next_x_1;
-    let _e290 = before_1;
-    let _e292 = next_y_1;
-    x_19 = (_e287 - (6.2831855f * (_e289 - (_e290.x * _e292))));
-    let _e298 = edge_y_1;
-    let _e300 = next_y_1;
-    let _e301 = before_1;
-    let _e303 = next_x_1;
-    y_16 = (_e298 - (6.2831855f * (_e300 - (_e301.y * _e303))));
-    let _e310 = lambda_1;
-    let _e311 = lambda_1;
-    if false {
-        local_33 = 1f;
-    } else {
-        local_33 = 1.125f;
-    }
-    let _e325 = local_33;
-    scale_2 = (sqrt((1f - (_e310 * _e311))) / (1459955300000000000000000000f * _e325));
-    let _e329 = scale_2;
-    let _e330 = value_15;
-    let _e333 = scale_2;
-    let _e334 = x_19;
-    let _e336 = y_16;
-    let _e340 = scale_2;
-    let _e341 = value_15;
-    let _e344 = scale_2;
-    let _e345 = x_19;
-    let _e347 = y_16;
-    return GaborField((_e329 * _e330.y), (_e333 * vec2<f32>(_e334.y, _e336.y)), (_e340 * _e341.x), (_e344 * vec2<f32>(_e345.x, _e347.x)), 0f);
+    let before = lambda * sqrt(m.yx / m);
+    let x = edge_x - 6.2831853 * (next_x - before.x * next_y);
+    let y = edge_y - 6.2831853 * (next_y - before.y * next_x);
+    let scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * value.y, scale * vec2f(x.y, y.y), scale * value.x, scale * vec2f(x.x, y.x), 0.0);
 }
 
-fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborField {
-    var x_20: GaborImplSpotsAxis;
-    var y_17: GaborImplSpotsAxis;
-    var sum_19: vec4<f32> = vec4(0f);
-    var along_y_5: vec2<f32> = vec2(0f);
-    var local_34: f32;
-    var scale_3: f32;
-    let _e10 = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    x_20 = _e10;
-    let _e21 = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), s.y);
-    y_17 = _e21;
-    let _e31 = x_20;
-    let _e32 = y_17;
-    let _e35 = y_17;
-    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e31, _e32.word.x, _e35.first, s.z);
-    let _e42 = x_20;
-    let _e43 = y_17;
-    let _e46 = y_17;
-    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e42, _e43.word.y, _e46.middle, s.z);
-    let _e53 = x_20;
-    let _e54 = y_17;
-    let _e57 = y_17;
-    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e53, _e54.word.z, _e57.last, s.z);
-    if false {
-        local_34 = 1f;
-    } else {
-        local_34 = 1.125f;
-    }
-    let _e73 = local_34;
-    scale_3 = (1f / (1459955300000000000000000000f * _e73));
-    let _e77 = scale_3;
-    let _e78 = sum_19;
-    let _e81 = scale_3;
-    let _e82 = sum_19;
-    let _e84 = along_y_5;
-    let _e88 = scale_3;
-    let _e89 = sum_19;
-    let _e92 = scale_3;
-    let _e93 = sum_19;
-    let _e95 = along_y_5;
-    return GaborField((_e77 * _e78.y), (_e81 * vec2<f32>(_e82.w, _e84.y)), (_e88 * _e89.x), (_e92 * vec2<f32>(_e93.z, _e95.x)), 0f);
+fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3f, salt: u32) -> GaborField {
+    let x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    let y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    var sum = vec4f(0.0);
+    var along_y = vec2f(0.0);
+    gabor_impl_add_spots_row(&sum, &along_y, x, y.word.x, y.first, s.z);
+    gabor_impl_add_spots_row(&sum, &along_y, x, y.word.y, y.middle, s.z);
+    gabor_impl_add_spots_row(&sum, &along_y, x, y.word.z, y.last, s.z);
+    let scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * sum.y, scale * vec2f(sum.w, along_y.y), scale * sum.x, scale * vec2f(sum.z, along_y.x),
+                      0.0);
 }
 
 // The same as gabor_field_filtered with the wave vector 0.
-fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborField {
-    var stretch_7: vec2<f32>;
-    var footprint_4: GaborImplFootprint;
-    var wide_1: f32;
-    var kept_1: f32;
-    var amplitude_7: f32;
-    var sum_20: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var salt_15: u32;
-    stretch_7 = (place.radius / vec2(1.5f));
-    let _e12 = stretch_7;
-    let _e14 = stretch_7;
-    let _e16 = gabor_impl_footprint((_e12 * dx), (_e14 * dy));
-    footprint_4 = _e16;
-    let _e18 = footprint_4;
-    let _e19 = gabor_impl_wide_share(_e18);
-    wide_1 = _e19;
-    let _e23 = footprint_4;
-    let _e25 = gabor_impl_transmitted(vec2(0f), _e23.covariance);
-    kept_1 = _e25;
-    let _e27 = kept_1;
-    let _e30 = footprint_4;
-    let _e32 = gabor_impl_transmitted(vec2(0f), _e30.resolved);
-    amplitude_7 = sqrt((_e27 / _e32));
-    let _e45 = gabor_impl_salt(seed);
-    salt_15 = _e45;
-    let _e47 = wide_1;
-    if (_e47 < 1f) {
-        let _e51 = footprint_4;
-        let _e53 = salt_15;
-        let _e54 = gabor_impl_spots_narrow(place, _e51.resolved, _e53);
-        let _e56 = wide_1;
-        let _e58 = amplitude_7;
-        let _e60 = stretch_7;
-        gabor_impl_add_field((&sum_20), _e54, ((1f - _e56) * _e58), _e60);
+fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, seed: u32) -> GaborField {
+    let stretch = place.radius / GABOR_RADIUS;
+    let footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    let wide = gabor_impl_wide_share(footprint); let kept = gabor_impl_transmitted(vec2f(0.0), footprint.covariance);
+    let amplitude = sqrt(kept / gabor_impl_transmitted(vec2f(0.0), footprint.resolved));
+    var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
+    let salt = gabor_impl_salt(seed);
+    if (wide < 1.0) {
+        gabor_impl_add_field(&sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0 - wide) * amplitude,
+                             stretch);
     }
-    let _e62 = wide_1;
-    if (_e62 > 0f) {
-        let _e66 = footprint_4;
-        let _e68 = wide_1;
-        let _e71 = salt_15;
-        let _e72 = gabor_impl_spots_wide(place, _e66.resolved, (_e68 > 0f), _e71);
-        let _e73 = wide_1;
-        let _e74 = amplitude_7;
-        let _e76 = stretch_7;
-        gabor_impl_add_field((&sum_20), _e72, (_e73 * _e74), _e76);
+    if (wide > 0.0) {
+        gabor_impl_add_field(&sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0, salt), wide * amplitude,
+                             stretch);
     }
-    let _e80 = kept_1;
-    sum_20.removed = (1f - _e80);
-    let _e82 = sum_20;
-    return _e82;
+    sum.removed = 1.0 - kept;
+    return sum;
 }
 
 // A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
 // The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
 // (1 + 2/3 pi^2 S)^-1 F.
 fn gabor_impl_filtered_pair(layer: GaborImplLayer, field: GaborField) -> GaborImplPair {
-    var steps_1: vec4<f32>;
-    var a_12: vec3<f32>;
-    var inverse: vec3<f32>;
-    var whole_2: vec3<f32>;
-    var left_1: vec3<f32>;
-    let _e4 = gabor_impl_radii(layer.at, layer.density);
-    steps_1 = _e4;
-    let _e7 = steps_1;
-    let _e9 = steps_1;
-    let _e11 = gabor_impl_footprint(_e7.xy, _e9.zw);
-    a_12 = (6.579736f * _e11.covariance);
-    let _e16 = a_12;
-    let _e20 = a_12;
-    let _e23 = a_12;
-    inverse = vec3<f32>((1f + _e16.y), (1f + _e20.x), -(_e23.z));
-    let _e28 = inverse;
-    let _e29 = inverse;
-    let _e31 = inverse;
-    let _e34 = a_12;
-    let _e36 = a_12;
-    inverse = (_e28 / vec3(((_e29.x * _e31.y) - (_e34.z * _e36.z))));
-    let _e48 = gabor_impl_square(layer.wave);
-    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e48));
-    let _e53 = inverse;
-    let _e56 = inverse;
-    let _e58 = gabor_impl_symmetric(_e56, layer.wave);
-    let _e59 = gabor_impl_square(_e58);
-    left_1 = ((3.289868f * _e53) + (39.478416f * _e59));
-    let _e63 = whole_2;
-    let _e67 = left_1;
-    let _e70 = gabor_impl_pair(layer, field, (_e63 - ((1f - field.removed) * _e67)));
-    return _e70;
+    let steps = gabor_impl_radii(layer.at, layer.density);
+    let a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+    var inverse = vec3f(1.0 + a.y, 1.0 + a.x, -a.z);
+    inverse /= inverse.x * inverse.y - a.z * a.z;
+    let whole = vec3f(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
+    let left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
+    return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
 
 fn gabor_impl_filtered_waves(layer: GaborImplLayer) -> GaborImplPair {
-    var place_17: GaborPlace;
-    var steps_2: vec4<f32>;
-    let _e3 = gabor_impl_place(layer.at, layer.density);
-    place_17 = _e3;
-    let _e7 = gabor_impl_radii(layer.at, layer.density);
-    steps_2 = _e7;
-    let _e9 = place_17;
-    let _e10 = steps_2;
-    let _e12 = steps_2;
-    let _e16 = gabor_field_filtered(_e9, _e10.xy, _e12.zw, layer.wave, layer.seed);
-    let _e17 = gabor_impl_filtered_pair(layer, _e16);
-    return _e17;
+    let place = gabor_impl_place(layer.at, layer.density);
+    let steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
 }
 
 fn gabor_impl_filtered_spots(layer: GaborImplLayer) -> GaborImplPair {
-    var place_18: GaborPlace;
-    var steps_3: vec4<f32>;
-    let _e3 = gabor_impl_place(layer.at, layer.density);
-    place_18 = _e3;
-    let _e7 = gabor_impl_radii(layer.at, layer.density);
-    steps_3 = _e7;
-    let _e9 = place_18;
-    let _e10 = steps_3;
-    let _e12 = steps_3;
-    let _e15 = gabor_impl_spots_filtered(_e9, _e10.xy, _e12.zw, layer.seed);
-    let _e16 = gabor_impl_filtered_pair(layer, _e15);
-    return _e16;
+    let place = gabor_impl_place(layer.at, layer.density);
+    let steps = gabor_impl_radii(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
 }
 
 fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborImplPairs>, layer: GaborImplLayer) {
-    var pair_2: GaborImplPair;
-    let _e2 = gabor_impl_filtered_spots(layer);
-    pair_2 = _e2;
-    if (layer.slot == 0i) {
-        let _e8 = (*sum);
-        let _e10 = pair_2;
-        let _e12 = gabor_impl_plus(_e8.pair_0_, _e10, layer.amplitude);
-        (*sum).pair_0_ = _e12;
-        return;
-    } else {
-        if (layer.slot == 1i) {
-            let _e17 = (*sum);
-            let _e19 = pair_2;
-            let _e21 = gabor_impl_plus(_e17.pair_1_, _e19, layer.amplitude);
-            (*sum).pair_1_ = _e21;
-            return;
-        } else {
-            if (layer.slot == 2i) {
-                let _e26 = (*sum);
-                let _e28 = pair_2;
-                let _e30 = gabor_impl_plus(_e26.pair_2_, _e28, layer.amplitude);
-                (*sum).pair_2_ = _e30;
-                return;
-            } else {
-                if (layer.slot == 3i) {
-                    let _e35 = (*sum);
-                    let _e37 = pair_2;
-                    let _e39 = gabor_impl_plus(_e35.pair_3_, _e37, layer.amplitude);
-                    (*sum).pair_3_ = _e39;
-                    return;
-                } else {
-                    let _e41 = (*sum);
-                    let _e43 = pair_2;
-                    let _e45 = gabor_impl_plus(_e41.pair_4_, _e43, layer.amplitude);
-                    (*sum).pair_4_ = _e45;
-                    return;
-                }
-            }
-        }
-    }
+    let pair = gabor_impl_filtered_spots(layer);
+    if (layer.slot == 0) { (*sum).pair_0 = gabor_impl_plus((*sum).pair_0, pair, layer.amplitude); } else if (layer.slot == 1) { (*sum).pair_1 = gabor_impl_plus((*sum).pair_1, pair, layer.amplitude); } else if (layer.slot == 2) { (*sum).pair_2 = gabor_impl_plus((*sum).pair_2, pair, layer.amplitude); } else if (layer.slot == 3) { (*sum).pair_3 = gabor_impl_plus((*sum).pair_3, pair, layer.amplitude); } else { (*sum).pair_4 = gabor_impl_plus((*sum).pair_4, pair, layer.amplitude); }
 }
 
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
 // The normal distribution function, within 2e-5.
-fn gabor_impl_below(x: f32) -> f32 {
-    var x_22: f32;
-    x_22 = x;
-    let _e2 = x_22;
-    x_22 = clamp(_e2, -8f, 8f);
-    let _e9 = x_22;
-    let _e12 = x_22;
-    let _e13 = x_22;
-    let _e17 = x_22;
-    let _e19 = x_22;
-    return (1f / (1f + exp2((-(_e9) * (2.301726f + ((_e12 * _e13) * (0.1061787f - ((0.00091164f * _e17) * _e19))))))));
+fn gabor_impl_below(x_in: f32) -> f32 {
+    var x = x_in;
+    x = clamp(x, -8.0, 8.0);
+    return 1.0 / (1.0 + exp2(-x * (2.301726 + x * x * (0.1061787 - 0.00091164 * x * x))));
 }
 
 // A soft threshold: the normal distribution function of (noise - threshold) / softness.
-fn gabor_impl_above(noise: vec3<f32>, removed: f32, threshold: f32, softness: f32) -> vec3<f32> {
-    var scale_4: f32;
-    var x_23: f32;
-    scale_4 = inverseSqrt(((softness * softness) + removed));
-    let _e8 = scale_4;
-    let _e11 = scale_4;
-    x_23 = ((_e8 * noise.x) - (_e11 * threshold));
-    let _e15 = x_23;
-    let _e16 = gabor_impl_below(_e15);
-    let _e18 = scale_4;
-    let _e22 = x_23;
-    let _e23 = x_23;
-    let _e31 = (((0.3989423f * _e18) * exp((-0.5f * min((_e22 * _e23), 100f)))) * noise.yz);
-    return vec3<f32>(_e16, _e31.x, _e31.y);
+fn gabor_impl_above(noise: vec3f, removed: f32, threshold: f32, softness: f32) -> vec3f {
+    let scale = inverseSqrt(softness * softness + removed);
+    let x = scale * noise.x - scale * threshold;
+    return vec3f(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz);
 }
 
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
 fn gabor_impl_removed_square(square: f32, mean: f32, removed: f32) -> f32 {
-    var local_35: f32;
-    if (removed > 0f) {
-        local_35 = max((square - (mean * mean)), 0f);
-    } else {
-        local_35 = 0f;
-    }
-    let _e11 = local_35;
-    return _e11;
+    return select(0.0, max(square - mean * mean, 0.0), removed > 0.0);
 }
 
 // The covariance of its slopes that the filter removed.
-fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, threshold: f32, softness: f32) -> vec3<f32> {
-    var scale_5: f32;
-    var variance_2: f32;
-    var d_6: f32;
-    var mean_3: f32;
-    var square_1: f32;
-    scale_5 = inverseSqrt(((softness * softness) + removed));
-    variance_2 = (((0.5f * softness) * softness) + removed);
-    d_6 = ((noise.x - threshold) * (noise.x - threshold));
-    let _e21 = scale_5;
-    let _e25 = d_6;
-    let _e26 = scale_5;
-    let _e28 = scale_5;
-    mean_3 = ((0.3989423f * _e21) * exp((-0.5f * min(((_e25 * _e26) * _e28), 100f))));
-    let _e38 = variance_2;
-    let _e43 = d_6;
-    let _e44 = variance_2;
-    square_1 = (((0.11253954f / softness) * inverseSqrt(_e38)) * exp((-0.5f * min((_e43 / _e44), 100f))));
-    let _e52 = square_1;
-    let _e54 = square_1;
-    let _e55 = mean_3;
-    let _e56 = gabor_impl_removed_square(_e54, _e55, removed);
-    let _e58 = gabor_impl_square(noise.yz);
-    return ((_e52 * lost) + (_e56 * _e58));
+fn gabor_impl_above_lost(noise: vec3f, removed: f32, lost: vec3f, threshold: f32, softness: f32) -> vec3f {
+    let scale = inverseSqrt(softness * softness + removed); let variance = 0.5 * softness * softness + removed;
+    let d = (noise.x - threshold) * (noise.x - threshold);
+    let mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0));
+    let square = 0.11253954 / softness * inverseSqrt(variance) * exp(-0.5 * min(d / variance, 100.0));
+    return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz);
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-fn gabor_impl_line(noise: vec3<f32>, removed: f32, width: f32) -> vec3<f32> {
-    var variance_3: f32;
-    var line_5: f32;
-    variance_3 = ((width * width) + removed);
-    let _e6 = variance_3;
-    let _e14 = variance_3;
-    line_5 = ((width * inverseSqrt(_e6)) * exp((-0.5f * min(((noise.x * noise.x) / _e14), 100f))));
-    let _e22 = line_5;
-    let _e26 = variance_3;
-    let _e29 = ((-(noise.x) / _e26) * noise.yz);
-    return (_e22 * vec3<f32>(1f, _e29.x, _e29.y));
+fn gabor_impl_line(noise: vec3f, removed: f32, width: f32) -> vec3f {
+    let variance = width * width + removed;
+    let line = width * inverseSqrt(variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0));
+    return line * vec3f(1.0, -noise.x / variance * noise.yz);
 }
 
 // The covariance of its slopes that the filter removed.
-fn gabor_impl_line_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, width: f32) -> vec3<f32> {
-    var half_square: f32;
-    var variance_4: f32;
-    var mean_4: f32;
-    var spread: f32;
-    var square_2: f32;
-    var slope_13: vec3<f32>;
-    half_square = ((0.5f * width) * width);
-    let _e8 = half_square;
-    variance_4 = (_e8 + removed);
-    let _e12 = half_square;
-    let _e14 = variance_4;
-    mean_4 = ((noise.x * _e12) / _e14);
-    let _e17 = half_square;
-    let _e19 = variance_4;
-    spread = ((_e17 * removed) / _e19);
-    let _e22 = half_square;
-    let _e23 = variance_4;
-    let _e31 = variance_4;
-    let _e38 = mean_4;
-    let _e39 = mean_4;
-    let _e41 = spread;
-    let _e45 = half_square;
-    let _e47 = half_square;
-    square_2 = (((sqrt((_e22 / _e23)) * exp((-0.5f * min(((noise.x * noise.x) / _e31), 100f)))) * ((_e38 * _e39) + _e41)) / ((4f * _e45) * _e47));
-    let _e55 = gabor_impl_line(vec3<f32>(noise.x, 1f, 0f), removed, width);
-    slope_13 = _e55;
-    let _e57 = square_2;
-    let _e59 = square_2;
-    let _e60 = slope_13;
-    let _e62 = gabor_impl_removed_square(_e59, _e60.y, removed);
-    let _e64 = gabor_impl_square(noise.yz);
-    return ((_e57 * lost) + (_e62 * _e64));
+fn gabor_impl_line_lost(noise: vec3f, removed: f32, lost: vec3f, width: f32) -> vec3f {
+    let half_square = 0.5 * width * width; let variance = half_square + removed;
+    let mean = noise.x * half_square / variance; let spread = half_square * removed / variance;
+    let square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0))
+                 * (mean * mean + spread) / (4.0 * half_square * half_square);
+    let slope = gabor_impl_line(vec3f(noise.x, 1.0, 0.0), removed, width);
+    return square * lost + gabor_impl_removed_square(square, slope.y, removed) * gabor_impl_square(noise.yz);
 }
 
 // A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the
 // filter removed. A product of factors is the sum of their vectors.
-fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
-    return vec2<f32>(((contrast * noise) - ((0.5f * contrast) * contrast)), ((contrast * contrast) * removed));
+fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2f {
+    return vec2f(contrast * noise - 0.5 * contrast * contrast, contrast * contrast * removed);
 }
 
 // The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
 // distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
 // sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
-fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
-    var mean_5: vec3<f32>;
-    var s_9: f32;
-    var d_7: vec3<f32>;
-    var i_9: i32 = 0i;
-    mean_5 = (colour * exp((tone.x + (0.5f * tone.y))));
-    if (tone.y > 0f) {
-        {
-            s_9 = sqrt(tone.y);
-            let _e24 = s_9;
-            d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(_e24));
-            let _e28 = d_7;
-            let _e30 = d_7;
-            let _e33 = d_7;
-            if (min(min(_e28.x, _e30.y), _e33.z) < 3f) {
-                loop {
-                    let _e40 = i_9;
-                    if !((_e40 < 3i)) {
-                        break;
-                    }
-                    let _e47 = i_9;
-                    let _e49 = i_9;
-                    let _e51 = mean_5[_e49];
-                    let _e52 = i_9;
-                    let _e54 = d_7[_e52];
-                    let _e55 = s_9;
-                    let _e57 = gabor_impl_below((_e54 - _e55));
-                    let _e61 = i_9;
-                    let _e63 = d_7[_e61];
-                    let _e64 = gabor_impl_below(_e63);
-                    mean_5[_e47] = (((_e51 * _e57) + 1f) - _e64);
-                    continuing {
-                        let _e44 = i_9;
-                        i_9 = (_e44 + 1i);
-                    }
-                }
+fn gabor_impl_toned(colour: vec3f, tone: vec2f) -> vec3f {
+    var mean = colour * exp(tone.x + 0.5 * tone.y);
+    if (tone.y > 0.0) {
+        let s = sqrt(tone.y);
+        let d = (-tone.x - log(max(colour, vec3f(1.0e-6)))) / s;
+        if (min(min(d.x, d.y), d.z) < 3.0) {
+            for (var i = 0; i < 3; i++) {
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
             }
         }
     }
-    let _e66 = mean_5;
-    return min(_e66, vec3(1f));
+    return min(mean, vec3f(1.0));
 }
 
 // The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
 // see gabor_impl_ends_at. `phase` is in turns.
-fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
-    var ends_3: vec3<f32>;
-    var turns_3: vec2<f32>;
-    var t_9: vec2<f32>;
-    var integral: vec2<f32>;
-    var mean_6: f32;
-    var change_2: f32;
-    var widen: f32;
-    let _e4 = gabor_impl_ends_at(phase.x, span.x);
-    ends_3 = _e4;
-    let _e6 = ends_3;
-    turns_3 = floor(_e6.xy);
-    let _e10 = ends_3;
-    let _e12 = turns_3;
-    t_9 = (_e10.xy - _e12);
-    let _e16 = turns_3;
-    let _e17 = t_9;
-    let _e18 = t_9;
-    let _e20 = t_9;
-    integral = (0.33333334f * (_e16 + ((_e17 * _e18) * _e20)));
-    let _e25 = ends_3;
-    let _e27 = integral;
-    let _e29 = integral;
-    mean_6 = (_e25.z * (_e27.y - _e29.x));
-    let _e34 = ends_3;
-    let _e36 = t_9;
-    let _e38 = t_9;
-    let _e41 = t_9;
-    let _e43 = t_9;
-    change_2 = (_e34.z * ((_e36.y * _e38.y) - (_e41.x * _e43.x)));
-    let _e49 = ends_3;
-    let _e52 = t_9;
-    let _e54 = t_9;
-    let _e57 = t_9;
-    let _e59 = t_9;
-    let _e64 = mean_6;
-    let _e69 = ends_3;
-    widen = ((_e49.z * ((0.5f * ((_e52.y * _e54.y) + (_e57.x * _e59.x))) - _e64)) * (-0.5f / (_e69.z * max((1f - span.x), 0.001f))));
-    let _e80 = mean_6;
-    let _e81 = change_2;
-    let _e84 = widen;
-    let _e87 = ((_e81 * phase.yz) + (_e84 * span.yz));
-    return vec3<f32>(_e80, _e87.x, _e87.y);
+fn gabor_impl_rise(phase: vec3f, span: vec3f) -> vec3f {
+    let ends = gabor_impl_ends_at(phase.x, span.x);
+    let turns = floor(ends.xy); let t = ends.xy - turns; let integral = 0.33333333 * (turns + t * t * t);
+    let mean = ends.z * (integral.y - integral.x); let change = ends.z * (t.y * t.y - t.x * t.x);
+    // The change with the width, which is about 0.78 sqrt(1 - span).
+    let widen = ends.z * (0.5 * (t.y * t.y + t.x * t.x) - mean) * (-0.5 / (ends.z * max(1.0 - span.x, 0.001)));
+    return vec3f(mean, change * phase.yz + widen * span.yz);
 }
 
 // The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
 // the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
 // -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
 fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
-    var ends_4: vec3<f32>;
-    var turns_4: vec2<f32>;
-    var t_10: vec2<f32>;
-    var w_1: f32;
-    var rise_2: f32;
-    var risen: f32;
-    var fallen: f32;
-    var integral_1: vec2<f32>;
-    var change_3: f32;
-    let _e3 = gabor_impl_ends_at(phase, span);
-    ends_4 = _e3;
-    let _e5 = ends_4;
-    turns_4 = floor(_e5.xy);
-    let _e9 = ends_4;
-    let _e11 = turns_4;
-    t_10 = (_e9.xy - _e11);
-    let _e16 = gabor_impl_ends_at(0f, full);
-    w_1 = (1f / _e16.z);
-    let _e21 = w_1;
-    rise_2 = (1f - _e21);
-    let _e25 = w_1;
-    let _e27 = w_1;
-    let _e30 = w_1;
-    let _e32 = w_1;
-    risen = (1.3333333f - (_e25 * ((2f - _e27) + ((0.33333334f * _e30) * _e32))));
-    let _e38 = rise_2;
-    let _e39 = rise_2;
-    let _e42 = w_1;
-    let _e45 = w_1;
-    fallen = ((_e38 * _e39) * ((1f / _e42) + (0.33333334f * _e45)));
-    let _e50 = risen;
-    let _e51 = turns_4;
-    let _e52 = t_10;
-    let _e53 = t_10;
-    let _e55 = t_10;
-    let _e59 = fallen;
-    let _e60 = turns_4;
-    integral_1 = ((_e50 * (_e51 + ((_e52 * _e53) * _e55))) + (_e59 * _e60));
-    let _e64 = ends_4;
-    let _e66 = t_10;
-    let _e68 = t_10;
-    let _e71 = t_10;
-    let _e73 = t_10;
-    change_3 = (_e64.z * ((_e66.y * _e68.y) - (_e71.x * _e73.x)));
-    let _e79 = ends_4;
-    let _e81 = integral_1;
-    let _e83 = integral_1;
-    let _e87 = change_3;
-    let _e88 = change_3;
-    return (max(((_e79.z * (_e81.y - _e83.x)) - (_e87 * _e88)), 0f) * sqrt(max((1f - ((span * span) / (full * full))), 0f)));
+    let ends = gabor_impl_ends_at(phase, span);
+    let turns = floor(ends.xy); let t = ends.xy - turns;
+    let w = 1.0 / gabor_impl_ends_at(0.0, full).z; let rise = 1.0 - w;
+    let risen = 1.3333333 - w * (2.0 - w + 0.33333333 * w * w); let fallen = rise * rise * (1.0 / w + 0.33333333 * w);
+    let integral = risen * (turns + t * t * t) + fallen * turns;
+    let change = ends.z * (t.y * t.y - t.x * t.x);
+    return max(ends.z * (integral.y - integral.x) - change * change, 0.0)
+         * sqrt(max(1.0 - span * span / (full * full), 0.0)); // an edge loses in proportion to the blur's length
 }
 
 // A smoothstep from `low` to `high`.
-fn gabor_impl_step(low: f32, high: f32, x: vec3<f32>) -> vec3<f32> {
-    var t_11: f32;
-    t_11 = clamp(((x.x - low) / (high - low)), 0f, 1f);
-    let _e11 = t_11;
-    let _e12 = t_11;
-    let _e16 = t_11;
-    let _e21 = t_11;
-    let _e24 = t_11;
-    let _e30 = ((((6f * _e21) * (1f - _e24)) / (high - low)) * x.yz);
-    return vec3<f32>(((_e11 * _e12) * (3f - (2f * _e16))), _e30.x, _e30.y);
+fn gabor_impl_step(low: f32, high: f32, x: vec3f) -> vec3f {
+    let t = clamp((x.x - low) / (high - low), 0.0, 1.0);
+    return vec3f(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low) * x.yz);
 }
 
-fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, roughness: f32, metalness: f32) -> GaborMaterial {
-    return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height.x, height.yz, roughness, metalness, lost);
+fn gabor_impl_material(colour: vec3f, height: vec3f, lost: vec3f, roughness: f32, metalness: f32) -> GaborMaterial {
+    return GaborMaterial(clamp(colour, vec3f(0.0), vec3f(1.0)), height.x, height.yz, roughness, metalness, lost);
 }
 
 // ---- Wood ----------------------------------------------------------------------------------------------------------
@@ -1541,149 +714,48 @@ fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, ro
 // Rings are lines of constant x that noise of low frequency bends until they close.
 
 fn gabor_impl_board(pixel: GaborImplPixel, wood: GaborWood, seed: u32) -> GaborImplPixel {
-    var bends: vec2<f32>;
-    var board: GaborImplPixel;
-    bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
-    let _e12 = bends;
-    let _e17 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e12.x, 0f), seed, 0i);
-    board = _e17;
-    let _e19 = board;
-    let _e23 = bends;
-    let _e28 = gabor_impl_warp(_e19, vec2<f32>(4f, 0.9f), vec2<f32>(_e23.y, 0f), seed, 1i);
-    return _e28;
+    let bends = vec2f(0.43, 0.018) * wood.waviness;
+    let board = gabor_impl_warp(pixel, vec2f(1.1, 0.24), vec2f(bends.x, 0.0), seed, 0);
+    return gabor_impl_warp(board, vec2f(4.0, 0.9), vec2f(bends.y, 0.0), seed, 1);
 }
 
 // Pores, fibres and tone.
 fn gabor_impl_wood_layer(i: i32, pixel: GaborImplPixel, board: GaborImplPixel, seed: u32) -> GaborImplLayer {
-    var local_36: vec2<f32>;
-    if (i == 2i) {
-        let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
-        return _e11;
-    }
-    if (i == 0i) {
-        local_36 = vec2<f32>(90f, 4.5f);
-    } else {
-        local_36 = vec2<f32>(150f, 2f);
-    }
-    let _e21 = local_36;
-    let _e24 = gabor_impl_spots_layer(i, pixel, _e21, seed, (3i + i));
-    return _e24;
+    if (i == 2) { return gabor_impl_spots_layer(2, board, vec2f(3.5, 0.35), seed, 5); }
+    return gabor_impl_spots_layer(i, pixel, select(vec2f(150.0, 2.0), vec2f(90.0, 4.5), i == 0), seed, 3 + i);
 }
 
-fn gabor_impl_wood(board: GaborImplPixel, wood: GaborWood, of_: GaborImplPairs, seed: u32) -> GaborMaterial {
-    var board_3: GaborImplPixel;
-    var rings: f32;
-    var years: vec3<f32>;
-    var kept_2: f32;
-    var ring: vec3<f32>;
-    var pores: vec3<f32>;
-    var within_1: vec3<f32>;
-    var deep: vec3<f32>;
-    var early: f32;
-    var late: f32;
-    var tones: vec2<f32>;
-    var colour_2: vec3<f32>;
-    var height_1: vec3<f32>;
-    var depth: f32;
-    var lost_4: vec3<f32>;
-    board_3 = board;
-    let _e5 = board_3;
-    let _e15 = gabor_impl_warp(_e5, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), seed, 2i);
-    board_3 = _e15;
-    let _e16 = board_3;
-    let _e19 = gabor_impl_repeated(_e16, wood.rings, 1f);
-    rings = _e19.x;
-    let _e22 = rings;
-    let _e23 = board_3;
-    let _e24 = gabor_impl_along_x(_e23);
-    years = (_e22 * _e24);
-    let _e28 = board_3;
-    let _e29 = rings;
-    let _e30 = gabor_impl_sine_kept(_e28, _e29);
-    kept_2 = (0.97f * _e30);
-    let _e33 = years;
-    let _e34 = kept_2;
-    let _e38 = gabor_impl_rise(_e33, vec3<f32>(_e34, 0f, 0f));
-    ring = _e38;
-    let _e47 = gabor_impl_above(of_.pair_0_.second, of_.pair_0_.removed, 1.1f, 0.25f);
-    pores = (wood.pores * _e47);
-    let _e55 = ring;
-    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e55));
-    let _e59 = pores;
-    let _e60 = within_1;
-    let _e61 = gabor_impl_times(_e59, _e60);
-    deep = _e61;
-    let _e64 = ring;
-    let _e68 = pores;
-    early = ((1f - _e64.x) * (1f - _e68.x));
-    let _e73 = ring;
-    let _e77 = pores;
-    late = (_e73.x * (1f - (0.25f * _e77.x)));
-    let _e89 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.11f);
-    let _e96 = gabor_impl_tone(of_.pair_2_.second.x, of_.pair_2_.removed, 0.13f);
-    tones = (_e89 + _e96);
-    let _e99 = early;
-    let _e101 = tones;
-    let _e102 = gabor_impl_toned(wood.early, _e101);
-    let _e104 = late;
-    let _e106 = tones;
-    let _e107 = gabor_impl_toned(wood.late, _e106);
-    let _e111 = deep;
-    colour_2 = (((_e99 * _e102) + (_e104 * _e107)) + ((0.45f * _e111.x) * wood.late));
-    let _e119 = ring;
-    let _e122 = deep;
-    height_1 = (((0.0006f * _e119) - (0.0024f * _e122)) + (0.0002f * of_.pair_1_.second));
-    let _e136 = within_1;
-    let _e138 = within_1;
-    let _e143 = kept_2;
-    let _e144 = kept_2;
-    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e136.x * _e138.x) + (0.05f * (1f - (_e143 * _e144)))));
-    let _e152 = years;
-    let _e154 = kept_2;
-    let _e156 = gabor_impl_rise_lost(_e152.x, _e154, 0.97f);
-    let _e158 = years;
-    let _e160 = gabor_impl_square(_e158.yz);
-    let _e167 = depth;
-    let _e176 = gabor_impl_above_lost(of_.pair_0_.second, of_.pair_0_.removed, of_.pair_0_.lost, 1.1f, 0.25f);
-    lost_4 = ((((0.00000036f * _e156) * _e160) + (0.00000004f * of_.pair_1_.lost)) + (_e167 * _e176));
-    let _e180 = colour_2;
-    let _e181 = height_1;
-    let _e182 = lost_4;
-    let _e186 = ring;
-    let _e192 = gabor_impl_material(_e180, _e181, _e182, (wood.roughness * (1f - (0.2f * _e186.x))), 0f);
-    return _e192;
+fn gabor_impl_wood(board_in: GaborImplPixel, wood: GaborWood, of_: GaborImplPairs, seed: u32) -> GaborMaterial {
+    var board = board_in;
+    board = gabor_impl_warp(board, vec2f(6.5, 0.08), vec2f(0.455 / wood.rings, 0.0), seed, 2);
+    let rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
+    let years = rings * gabor_impl_along_x(board); // the number of rings up to here
+    let kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
+    let ring = gabor_impl_rise(years, vec3f(kept, 0.0, 0.0));
+    let pores = wood.pores * gabor_impl_above(of_.pair_0.second, of_.pair_0.removed, 1.1, 0.25);
+    let within = vec3f(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
+    let deep = gabor_impl_times(pores, within);
+    let early = (1.0 - ring.x) * (1.0 - pores.x); let late = ring.x * (1.0 - 0.25 * pores.x);
+    let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.11)
+               + gabor_impl_tone(of_.pair_2.second.x, of_.pair_2.removed, 0.13);
+    let colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
+                + 0.45 * deep.x * wood.late;
+    let height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of_.pair_1.second;
+    let depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    let lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+              + 4.0e-8 * of_.pair_1.lost
+              + depth * gabor_impl_above_lost(of_.pair_0.second, of_.pair_0.removed, of_.pair_0.lost, 1.1, 0.25);
+    return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
-fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_3: GaborImplPixel;
-    var board_4: GaborImplPixel;
-    var of_1: GaborImplPairs;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_3 = _e8;
-    let _e10 = pixel_3;
-    let _e11 = gabor_impl_board(_e10, wood, seed);
-    board_4 = _e11;
-    let _e13 = gabor_impl_no_pairs();
-    of_1 = _e13;
-    let _e17 = pixel_3;
-    let _e18 = board_4;
-    let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
-    let _e20 = gabor_impl_spots_pair(_e19);
-    of_1.pair_0_ = _e20;
-    let _e23 = pixel_3;
-    let _e24 = board_4;
-    let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
-    let _e26 = gabor_impl_spots_pair(_e25);
-    of_1.pair_1_ = _e26;
-    let _e29 = pixel_3;
-    let _e30 = board_4;
-    let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
-    let _e32 = gabor_impl_spots_pair(_e31);
-    of_1.pair_2_ = _e32;
-    let _e33 = board_4;
-    let _e34 = of_1;
-    let _e35 = gabor_impl_wood(_e33, wood, _e34, seed);
-    return _e35;
+fn gabor_wood_at(p: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let board = gabor_impl_board(pixel, wood, seed);
+    var of_ = gabor_impl_no_pairs();
+    of_.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of_.pair_2 = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    return gabor_impl_wood(board, wood, of_, seed);
 }
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
@@ -1691,777 +763,184 @@ fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) ->
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
 // The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
-fn gabor_impl_sample_spread(dx: vec2<f32>, dy: vec2<f32>) -> f32 {
-    return sqrt((0.125f * (dot(dx, dx) + dot(dy, dy))));
+fn gabor_impl_sample_spread(dx: vec2f, dy: vec2f) -> f32 {
+    return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
 
 // The number of samples for that standard deviation.
 fn gabor_impl_samples(spread: f32) -> i32 {
-    var local_37: i32;
-    if (spread > 0.001f) {
-        local_37 = 16i;
-    } else {
-        local_37 = 1i;
-    }
-    let _e6 = local_37;
-    return _e6;
+    return select(1, 16, spread > 0.001);
 }
 
 // Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
-fn gabor_impl_sample(i: i32, count: i32) -> vec2<f32> {
-    var at_10: vec2<f32>;
-    var local_38: vec2<f32>;
-    at_10 = ((0.125f * vec2<f32>(f32(i), f32((((7i * i) + 10i) % 16i)))) - vec2(0.9375f));
-    if (count > 1i) {
-        let _e19 = at_10;
-        let _e22 = at_10;
-        let _e24 = at_10;
-        local_38 = (_e19 * (vec2(0.5566f) + ((0.507f * _e22) * _e24)));
-    } else {
-        local_38 = vec2(0f);
-    }
-    let _e32 = local_38;
-    return _e32;
+fn gabor_impl_sample(i: i32, count: i32) -> vec2f {
+    let at = 0.125 * vec2f(f32(i), f32((7 * i + 10) % 16)) - 0.9375;
+    return select(vec2f(0.0), at * (0.5566 + 0.507 * at * at), count > 1);
 }
 
 // The sum of heights over samples. `height` becomes their mean, which fades to `mean`; `lost` has the sum of the
 // slopes' squares, and becomes their covariance, which fades to `square`.
-fn gabor_impl_average(height: ptr<function, vec3<f32>>, lost: ptr<function, vec3<f32>>, count: i32, kept: f32, mean: f32, square: vec3<f32>) {
-    var local_39: vec3<f32>;
-    let _e8 = (*height);
-    (*height) = (((kept / f32(count)) * _e8) + vec3<f32>(((1f - kept) * mean), 0f, 0f));
-    if (count > 1i) {
-        let _e19 = (*lost);
-        let _e25 = (*height);
-        let _e27 = gabor_impl_square(_e25.yz);
-        local_39 = (mix(square, (_e19 / vec3(f32(count))), vec3(kept)) - _e27);
-    } else {
-        local_39 = vec3(0f);
-    }
-    let _e32 = local_39;
-    (*lost) = _e32;
-    return;
+fn gabor_impl_average(height: ptr<function, vec3f>, lost: ptr<function, vec3f>, count: i32, kept: f32, mean: f32,
+                      square: vec3f) {
+    *height = kept / f32(count) * (*height) + vec3f((1.0 - kept) * mean, 0.0, 0.0);
+    *lost = select(vec3f(0.0), mix(square, (*lost) / f32(count), kept) - gabor_impl_square((*height).yz), count > 1);
 }
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_cloth(pixel: GaborImplPixel, fabric: GaborFabric, seed: u32) -> GaborImplPixel {
-    let _e10 = gabor_impl_warp(pixel, vec2(0.7f), vec2((0.02f * fabric.unevenness)), seed, 0i);
-    return _e10;
+    return gabor_impl_warp(pixel, vec2f(0.7), vec2f(0.02 * fabric.unevenness), seed, 0);
 }
 
 // The thickness and course of threads along y and x, and their fibres.
-fn gabor_impl_fabric_layer(i: i32, cloth: GaborImplPixel, count: vec2<f32>, seed: u32) -> GaborImplLayer {
-    var local_40: vec2<f32>;
-    var local_41: vec2<f32>;
-    var local_42: vec2<f32>;
-    var density_6: vec2<f32>;
-    if (i == 0i) {
-        local_42 = vec2<f32>((0.7f * count.x), 1.1f);
-    } else {
-        if (i == 1i) {
-            local_41 = vec2<f32>(1.1f, (0.7f * count.y));
-        } else {
-            if (i == 2i) {
-                local_40 = (vec2<f32>(14f, 2f) * count);
-            } else {
-                local_40 = (vec2<f32>(2f, 14f) * count);
-            }
-            let _e29 = local_40;
-            local_41 = _e29;
-        }
-        let _e31 = local_41;
-        local_42 = _e31;
-    }
-    let _e33 = local_42;
-    density_6 = _e33;
-    let _e35 = density_6;
-    let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
-    return _e38;
+fn gabor_impl_fabric_layer(i: i32, cloth: GaborImplPixel, count: vec2f, seed: u32) -> GaborImplLayer {
+    let density = select(select(select(vec2f(2.0, 14.0) * count, vec2f(14.0, 2.0) * count, i == 2),
+                                                       vec2f(1.1, 0.7 * count.y), i == 1), vec2f(0.7 * count.x, 1.1), i == 0);
+    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
-fn gabor_impl_threads(pixel: GaborImplPixel, fabric: GaborFabric) -> vec2<f32> {
-    var local_43: f32;
-    var local_44: f32;
-    if (fabric.weave < 0.5f) {
-        local_44 = 2f;
-    } else {
-        if (fabric.weave < 1.5f) {
-            local_43 = 4f;
-        } else {
-            local_43 = 16f;
-        }
-        let _e13 = local_43;
-        local_44 = _e13;
-    }
-    let _e15 = local_44;
-    let _e16 = gabor_impl_repeated(pixel, fabric.threads, _e15);
-    return _e16;
+fn gabor_impl_threads(pixel: GaborImplPixel, fabric: GaborFabric) -> vec2f {
+    return gabor_impl_repeated(pixel, fabric.threads, select(select(16.0, 4.0, fabric.weave < 1.5), 2.0, fabric.weave < 0.5));
 }
 
 // 1 where the thread along y passes over that along x, which have these numbers, and -1 where it passes under.
-fn gabor_impl_over(x: f32, y: f32, weave: f32) -> f32 {
-    var x_26: f32;
-    var local_45: f32;
-    var local_46: f32;
-    x_26 = x;
-    if (weave < 0.5f) {
-        let _e7 = x_26;
-        if (fract((0.5f * (_e7 + y))) > 0.25f) {
-            local_45 = -1f;
-        } else {
-            local_45 = 1f;
-        }
-        let _e17 = local_45;
-        return _e17;
-    }
-    if (weave > 1.5f) {
-        let _e22 = x_26;
-        x_26 = abs(((16f * fract(((0.0625f * _e22) + 0.03125f))) - 8.5f));
-    }
-    let _e32 = x_26;
-    if (fract(((0.25f * (_e32 + y)) + 0.125f)) < 0.5f) {
-        local_46 = 1f;
-    } else {
-        local_46 = -1f;
-    }
-    let _e44 = local_46;
-    return _e44;
+fn gabor_impl_over(x_in: f32, y: f32, weave: f32) -> f32 {
+    var x = x_in;
+    if (weave < 0.5) { return select(1.0, -1.0, fract(0.5 * (x + y)) > 0.25); }
+    if (weave > 1.5) { x = abs(16.0 * fract(0.0625 * x + 0.03125) - 8.5); } // turns back every eight threads
+    return select(-1.0, 1.0, fract(0.25 * (x + y) + 0.125) < 0.5); // over two, under two
 }
 
 // The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if
 // -1, and is level towards a thread that it crosses on the same side.
-fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32, level: bool) -> vec3<f32> {
-    var square_4: f32;
-    var side_2: f32;
-    var local_47: f32;
-    var turn_12: f32;
-    var slope_14: vec2<f32>;
-    var local_48: f32;
-    var local_49: vec2<f32>;
-    square_4 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
-    let _e15 = square_4;
-    side_2 = sqrt(max(_e15, 0f));
-    if level {
-        local_47 = 0f;
-    } else {
-        local_47 = (3.1415927f * along.x);
-    }
-    let _e25 = local_47;
-    turn_12 = _e25;
-    let _e36 = side_2;
-    slope_14 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e36, 0.05f)));
-    let _e42 = side_2;
-    let _e43 = square_4;
-    if (_e43 < 0f) {
-        local_48 = 2f;
-    } else {
-        local_48 = 1f;
-    }
-    let _e49 = local_48;
-    let _e53 = turn_12;
-    let _e57 = square_4;
-    if (_e57 < 0f) {
-        local_49 = vec2(0f);
-    } else {
-        let _e62 = slope_14;
-        local_49 = _e62;
-    }
-    let _e64 = local_49;
-    let _e67 = turn_12;
-    let _e72 = (_e64 - (((1.727876f * bend) * sin(_e67)) * along.yz));
-    return vec3<f32>(((_e42 - _e49) + ((0.55f * bend) * cos(_e53))), _e72.x, _e72.y);
+fn gabor_impl_thread(across: vec3f, thick: vec3f, along: vec3f, bend: f32, level: bool) -> vec3f {
+    let square = thick.x * thick.x - 4.2 * across.x * across.x;
+    let side = sqrt(max(square, 0.0)); let turn = select(3.1415927 * along.x, 0.0, level);
+    let slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
+    return vec3f(side - select(1.0, 2.0, square < 0.0) + 0.55 * bend * cos(turn),
+                select(slope, vec2f(0.0), square < 0.0) - 1.7278760 * bend * sin(turn) * along.yz);
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2<f32>, fabric: GaborFabric, of_: GaborImplPairs) -> GaborMaterial {
-    var uneven: f32;
-    var unit_5: f32;
-    var at_x: vec3<f32>;
-    var at_y: vec3<f32>;
-    var dx_9: vec2<f32>;
-    var dy_9: vec2<f32>;
-    var spread_2: f32;
-    var kept_4: f32;
-    var warp_tones: vec2<f32>;
-    var weft_tones: vec2<f32>;
-    var warp: vec3<f32>;
-    var weft: vec3<f32>;
-    var height_3: vec3<f32> = vec3(0f);
-    var colour_3: vec3<f32> = vec3(0f);
-    var lost_6: vec3<f32> = vec3(0f);
-    var samples: i32;
-    var i_13: i32 = 0i;
-    var at_11: vec2<f32>;
-    var offset_2: vec2<f32>;
-    var x_27: vec3<f32>;
-    var y_19: vec3<f32>;
-    var thread: vec2<f32>;
-    var over: f32;
-    var local_50: f32;
-    var level_y: bool;
-    var local_51: f32;
-    var level_x: bool;
-    var along_y_6: vec3<f32>;
-    var along_x_4: vec3<f32>;
-    var first_3: bool;
-    var local_52: vec3<f32>;
-    var top: vec3<f32>;
-    var local_53: vec3<f32>;
-    var local_54: vec3<f32>;
-    var mean_8: vec3<f32>;
-    var cords: f32;
-    var at_12: vec3<f32>;
-    var damped_2: f32;
-    var half_cord: f32;
-    var second_3: f32;
-    var turn_13: f32;
-    var cord: f32;
-    var depth_1: f32;
-    var swing: f32;
-    uneven = fabric.unevenness;
-    unit_5 = (fabric.relief / fabric.threads);
-    let _e11 = gabor_impl_along_x(cloth);
-    at_x = (count.x * _e11);
-    let _e15 = gabor_impl_along_y(cloth);
-    at_y = (count.y * _e15);
-    dx_9 = (count * cloth.dx);
-    dy_9 = (count * cloth.dy);
-    let _e24 = dx_9;
-    let _e25 = dy_9;
-    let _e26 = gabor_impl_sample_spread(_e24, _e25);
-    spread_2 = _e26;
-    let _e31 = spread_2;
-    kept_4 = (1f - smoothstep(0.3f, 0.7f, _e31));
-    let _e35 = at_x;
-    let _e37 = uneven;
-    at_x = (_e35 + ((0.13f * _e37) * of_.pair_0_.first));
-    let _e43 = at_y;
-    let _e45 = uneven;
-    at_y = (_e43 + ((0.13f * _e45) * of_.pair_1_.first));
-    let _e57 = uneven;
-    let _e59 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, (0.09f * _e57));
-    let _e66 = gabor_impl_tone(of_.pair_2_.second.x, of_.pair_2_.removed, 0.12f);
-    warp_tones = (_e59 + _e66);
-    let _e75 = uneven;
-    let _e77 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, (0.09f * _e75));
-    let _e84 = gabor_impl_tone(of_.pair_3_.second.x, of_.pair_3_.removed, 0.12f);
-    weft_tones = (_e77 + _e84);
-    let _e88 = warp_tones;
-    let _e89 = gabor_impl_toned(fabric.warp, _e88);
-    warp = _e89;
-    let _e92 = weft_tones;
-    let _e93 = gabor_impl_toned(fabric.weft, _e92);
-    weft = _e93;
-    let _e104 = spread_2;
-    let _e105 = gabor_impl_samples(_e104);
-    samples = _e105;
-    loop {
-        let _e109 = i_13;
-        let _e110 = samples;
-        if !((_e109 < _e110)) {
-            break;
-        }
-        {
-            let _e116 = i_13;
-            let _e117 = samples;
-            let _e118 = gabor_impl_sample(_e116, _e117);
-            at_11 = _e118;
-            let _e120 = at_11;
-            let _e122 = dx_9;
-            let _e124 = at_11;
-            let _e126 = dy_9;
-            offset_2 = ((_e120.x * _e122) + (_e124.y * _e126));
-            let _e130 = at_x;
-            let _e131 = offset_2;
-            x_27 = (_e130 + vec3<f32>(_e131.x, 0f, 0f));
-            let _e138 = at_y;
-            let _e139 = offset_2;
-            y_19 = (_e138 + vec3<f32>(_e139.y, 0f, 0f));
-            let _e146 = x_27;
-            let _e148 = y_19;
-            thread = floor(vec2<f32>(_e146.x, _e148.x));
-            let _e154 = x_27;
-            let _e156 = thread;
-            x_27.x = (_e154.x - (_e156.x + 0.5f));
-            let _e162 = y_19;
-            let _e164 = thread;
-            y_19.x = (_e162.x - (_e164.y + 0.5f));
-            let _e169 = thread;
-            let _e171 = thread;
-            let _e174 = gabor_impl_over(_e169.x, _e171.y, fabric.weave);
-            over = _e174;
-            let _e176 = over;
-            let _e177 = thread;
-            let _e179 = thread;
-            let _e181 = y_19;
-            if (_e181.x < 0f) {
-                local_50 = -1f;
-            } else {
-                local_50 = 1f;
-            }
-            let _e189 = local_50;
-            let _e192 = gabor_impl_over(_e177.x, (_e179.y + _e189), fabric.weave);
-            level_y = (_e176 == _e192);
-            let _e195 = over;
-            let _e196 = thread;
-            let _e198 = x_27;
-            if (_e198.x < 0f) {
-                local_51 = -1f;
-            } else {
-                local_51 = 1f;
-            }
-            let _e206 = local_51;
-            let _e208 = thread;
-            let _e211 = gabor_impl_over((_e196.x + _e206), _e208.y, fabric.weave);
-            level_x = (_e195 == _e211);
-            let _e214 = x_27;
-            let _e220 = uneven;
-            let _e226 = y_19;
-            let _e227 = over;
-            let _e228 = level_y;
-            let _e229 = gabor_impl_thread(_e214, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e220) * of_.pair_0_.second)), _e226, _e227, _e228);
-            along_y_6 = _e229;
-            let _e231 = y_19;
-            let _e237 = uneven;
-            let _e243 = x_27;
-            let _e244 = over;
-            let _e246 = level_x;
-            let _e247 = gabor_impl_thread(_e231, (vec3<f32>(1f, 0f, 0f) + ((0.16f * _e237) * of_.pair_1_.second)), _e243, -(_e244), _e246);
-            along_x_4 = _e247;
-            let _e249 = along_y_6;
-            let _e251 = along_x_4;
-            first_3 = (_e249.x > _e251.x);
-            let _e255 = first_3;
-            if _e255 {
-                let _e256 = along_y_6;
-                local_52 = _e256;
-            } else {
-                let _e257 = along_x_4;
-                local_52 = _e257;
-            }
-            let _e259 = local_52;
-            top = _e259;
-            let _e261 = top;
-            if (_e261.x < -1.3f) {
-                top = vec3<f32>(-1.3f, 0f, 0f);
-            }
-            let _e271 = colour_3;
-            let _e277 = top;
-            let _e281 = first_3;
-            if _e281 {
-                let _e282 = warp;
-                local_53 = _e282;
-            } else {
-                let _e283 = weft;
-                local_53 = _e283;
-            }
-            let _e285 = local_53;
-            colour_3 = (_e271 + (mix(0.18f, 1f, smoothstep(-1.3f, 0.5f, _e277.x)) * _e285));
-            let _e289 = top;
-            let _e292 = first_3;
-            if _e292 {
-                local_54 = of_.pair_2_.second;
-            } else {
-                local_54 = of_.pair_3_.second;
-            }
-            let _e298 = local_54;
-            top = ((0.3f * _e289) + (0.035f * _e298));
-            let _e301 = height_3;
-            let _e302 = top;
-            height_3 = (_e301 + _e302);
-            let _e304 = lost_6;
-            let _e305 = top;
-            let _e307 = gabor_impl_square(_e305.yz);
-            lost_6 = (_e304 + _e307);
-        }
-        continuing {
-            let _e113 = i_13;
-            i_13 = (_e113 + 1i);
-        }
+fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, of_: GaborImplPairs) -> GaborMaterial {
+    let uneven = fabric.unevenness; let unit = fabric.relief / fabric.threads;
+    var at_x = count.x * gabor_impl_along_x(cloth); var at_y = count.y * gabor_impl_along_y(cloth);
+    let dx = count * cloth.dx; let dy = count * cloth.dy;
+    let spread = gabor_impl_sample_spread(dx, dy); let kept = 1.0 - smoothstep(0.3, 0.7, spread);
+    at_x += 0.13 * uneven * of_.pair_0.first;
+    at_y += 0.13 * uneven * of_.pair_1.first;
+    let warp_tones = gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of_.pair_2.second.x, of_.pair_2.removed, 0.12);
+    let weft_tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, 0.09 * uneven)
+                    + gabor_impl_tone(of_.pair_3.second.x, of_.pair_3.removed, 0.12);
+    let warp = gabor_impl_toned(fabric.warp, warp_tones); let weft = gabor_impl_toned(fabric.weft, weft_tones);
+    var height = vec3f(0.0); var colour = vec3f(0.0); var lost = vec3f(0.0);
+    let samples = gabor_impl_samples(spread);
+    for (var i = 0; i < samples; i++) {
+        let at = gabor_impl_sample(i, samples); let offset = at.x * dx + at.y * dy;
+        var x = at_x + vec3f(offset.x, 0.0, 0.0); var y = at_y + vec3f(offset.y, 0.0, 0.0);
+        let thread = floor(vec2f(x.x, y.x));
+        x.x -= thread.x + 0.5;
+        y.x -= thread.y + 0.5;
+        let over = gabor_impl_over(thread.x, thread.y, fabric.weave);
+        let level_y = over == gabor_impl_over(thread.x, thread.y + select(1.0, -1.0, y.x < 0.0), fabric.weave);
+        let level_x = over == gabor_impl_over(thread.x + select(1.0, -1.0, x.x < 0.0), thread.y, fabric.weave);
+        let along_y = gabor_impl_thread(x, vec3f(1.0, 0.0, 0.0) + 0.16 * uneven * of_.pair_0.second, y, over, level_y);
+        let along_x = gabor_impl_thread(y, vec3f(1.0, 0.0, 0.0) + 0.16 * uneven * of_.pair_1.second, x, -over, level_x);
+        let first = along_y.x > along_x.x;
+        var top = select(along_x, along_y, first);
+        if (top.x < -1.3) { top = vec3f(-1.3, 0.0, 0.0); }
+        colour += mix(0.18, 1.0, smoothstep(-1.3, 0.5, top.x)) * select(weft, warp, first);
+        top = 0.3 * top + 0.035 * select(of_.pair_3.second, of_.pair_2.second, first);
+        height += top;
+        lost += gabor_impl_square(top.yz);
     }
-    let _e311 = uneven;
-    let _e313 = uneven;
-    let _e318 = uneven;
-    let _e320 = uneven;
-    mean_8 = vec3<f32>((0.8828f - ((0.0056f * _e311) * _e313)), (0.0406f + ((0.0025f * _e318) * _e320)), 0.29f);
-    if (fabric.weave >= 0.5f) {
-        let _e330 = uneven;
-        let _e333 = uneven;
-        mean_8 = vec3<f32>((0.91f - (_e330 * (0.0105f + (0.0045f * _e333)))), 0.0655f, 0.37f);
+    var mean = vec3f(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
+    if (fabric.weave >= 0.5) { mean = vec3f(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37); }
+    gabor_impl_average(&height, &lost, samples, kept, mean.y, vec3f(mean.z * count * count, 0.0));
+    colour = mix(0.5 * mean.x * (warp + weft), colour / f32(samples), kept);
+    height *= unit;
+    lost = unit * unit * (lost + 0.0006125 * (of_.pair_2.lost + of_.pair_3.lost));
+    if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
+        let cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
+        let at = cords * gabor_impl_along_x(cloth);
+        let damped = gabor_impl_sine_kept(cloth, cords); let half_cord = 0.5 * damped;
+        let second = 0.125 * damped * damped * damped * damped; let turn = 6.2831853 * fract(at.x);
+        let cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
+        let depth = 0.3 * fabric.relief / cords; let swing = depth * 6.2831853;
+        colour *= mix(0.3, 1.0, cord);
+        height += vec3f(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
+        lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
+                * gabor_impl_square(at.yz);
     }
-    let _e343 = samples;
-    let _e344 = kept_4;
-    let _e345 = mean_8;
-    let _e347 = mean_8;
-    let _e350 = ((_e347.z * count) * count);
-    gabor_impl_average((&height_3), (&lost_6), _e343, _e344, _e345.y, vec3<f32>(_e350.x, _e350.y, 0f));
-    let _e358 = mean_8;
-    let _e361 = warp;
-    let _e362 = weft;
-    let _e365 = colour_3;
-    let _e366 = samples;
-    let _e370 = kept_4;
-    colour_3 = mix(((0.5f * _e358.x) * (_e361 + _e362)), (_e365 / vec3(f32(_e366))), vec3(_e370));
-    let _e373 = height_3;
-    let _e374 = unit_5;
-    height_3 = (_e373 * _e374);
-    let _e376 = unit_5;
-    let _e377 = unit_5;
-    let _e379 = lost_6;
-    lost_6 = ((_e376 * _e377) * (_e379 + (0.0006125f * (of_.pair_2_.lost + of_.pair_3_.lost))));
-    if (fabric.cords > 0f) {
-        {
-            let _e394 = gabor_impl_repeated(cloth, fabric.cords, 1f);
-            cords = _e394.x;
-            let _e397 = cords;
-            let _e398 = gabor_impl_along_x(cloth);
-            at_12 = (_e397 * _e398);
-            let _e401 = cords;
-            let _e402 = gabor_impl_sine_kept(cloth, _e401);
-            damped_2 = _e402;
-            let _e405 = damped_2;
-            half_cord = (0.5f * _e405);
-            let _e409 = damped_2;
-            let _e411 = damped_2;
-            let _e413 = damped_2;
-            let _e415 = damped_2;
-            second_3 = ((((0.125f * _e409) * _e411) * _e413) * _e415);
-            let _e419 = at_12;
-            turn_13 = (6.2831855f * fract(_e419.x));
-            let _e425 = half_cord;
-            let _e426 = turn_13;
-            let _e430 = second_3;
-            let _e432 = turn_13;
-            cord = ((0.625f - (_e425 * cos(_e426))) - (_e430 * cos((2f * _e432))));
-            let _e441 = cords;
-            depth_1 = ((0.3f * fabric.relief) / _e441);
-            let _e444 = depth_1;
-            swing = (_e444 * 6.2831855f);
-            let _e448 = colour_3;
-            let _e451 = cord;
-            colour_3 = (_e448 * mix(0.3f, 1f, _e451));
-            let _e454 = height_3;
-            let _e455 = depth_1;
-            let _e456 = cord;
-            let _e458 = swing;
-            let _e459 = half_cord;
-            let _e460 = turn_13;
-            let _e464 = second_3;
-            let _e467 = turn_13;
-            let _e473 = at_12;
-            let _e475 = ((_e458 * ((_e459 * sin(_e460)) + ((2f * _e464) * sin((2f * _e467))))) * _e473.yz);
-            height_3 = (_e454 + vec3<f32>((_e455 * _e456), _e475.x, _e475.y));
-            let _e480 = lost_6;
-            let _e481 = swing;
-            let _e482 = swing;
-            let _e486 = half_cord;
-            let _e488 = half_cord;
-            let _e492 = second_3;
-            let _e494 = second_3;
-            let _e498 = at_12;
-            let _e500 = gabor_impl_square(_e498.yz);
-            lost_6 = (_e480 + (((_e481 * _e482) * ((0.15625f - ((0.5f * _e486) * _e488)) - ((2f * _e492) * _e494))) * _e500));
-        }
-    }
-    let _e503 = colour_3;
-    let _e504 = height_3;
-    let _e505 = lost_6;
-    let _e508 = gabor_impl_material(_e503, _e504, _e505, fabric.roughness, 0f);
-    return _e508;
+    return gabor_impl_material(colour, height, lost, fabric.roughness, 0.0);
 }
 
-fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_6: GaborImplPixel;
-    var cloth_2: GaborImplPixel;
-    var count_7: vec2<f32>;
-    var of_3: GaborImplPairs;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_6 = _e8;
-    let _e10 = pixel_6;
-    let _e11 = gabor_impl_cloth(_e10, fabric, seed);
-    cloth_2 = _e11;
-    let _e13 = pixel_6;
-    let _e14 = gabor_impl_threads(_e13, fabric);
-    count_7 = _e14;
-    let _e16 = gabor_impl_no_pairs();
-    of_3 = _e16;
-    let _e20 = cloth_2;
-    let _e21 = count_7;
-    let _e22 = gabor_impl_fabric_layer(0i, _e20, _e21, seed);
-    let _e23 = gabor_impl_spots_pair(_e22);
-    of_3.pair_0_ = _e23;
-    let _e26 = cloth_2;
-    let _e27 = count_7;
-    let _e28 = gabor_impl_fabric_layer(1i, _e26, _e27, seed);
-    let _e29 = gabor_impl_spots_pair(_e28);
-    of_3.pair_1_ = _e29;
-    let _e32 = cloth_2;
-    let _e33 = count_7;
-    let _e34 = gabor_impl_fabric_layer(2i, _e32, _e33, seed);
-    let _e35 = gabor_impl_spots_pair(_e34);
-    of_3.pair_2_ = _e35;
-    let _e38 = cloth_2;
-    let _e39 = count_7;
-    let _e40 = gabor_impl_fabric_layer(3i, _e38, _e39, seed);
-    let _e41 = gabor_impl_spots_pair(_e40);
-    of_3.pair_3_ = _e41;
-    let _e42 = cloth_2;
-    let _e43 = count_7;
-    let _e44 = of_3;
-    let _e45 = gabor_impl_fabric(_e42, _e43, fabric, _e44);
-    return _e45;
+fn gabor_fabric_at(p: vec2f, period: vec2f, fabric: GaborFabric, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let cloth = gabor_impl_cloth(pixel, fabric, seed);
+    let count = gabor_impl_threads(pixel, fabric);
+    var of_ = gabor_impl_no_pairs();
+    of_.pair_0 = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of_.pair_2 = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of_.pair_3 = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    return gabor_impl_fabric(cloth, count, fabric, of_);
 }
 
 fn gabor_impl_twill(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
-    let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), seed, 0i);
-    return _e7;
+    return gabor_impl_warp(pixel, vec2f(0.8), vec2f(0.008), seed, 0);
 }
 
 // The fibres of tows along y and x.
-fn gabor_impl_tow_layer(i: i32, cloth: GaborImplPixel, count: vec2<f32>, seed: u32) -> GaborImplLayer {
-    var local_55: vec2<f32>;
-    if (i == 0i) {
-        local_55 = vec2<f32>(20f, 0.6f);
-    } else {
-        local_55 = vec2<f32>(0.6f, 20f);
-    }
-    let _e13 = local_55;
-    let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
-    return _e17;
+fn gabor_impl_tow_layer(i: i32, cloth: GaborImplPixel, count: vec2f, seed: u32) -> GaborImplLayer {
+    return gabor_impl_spots_layer(i, cloth, select(vec2f(0.6, 20.0), vec2f(20.0, 0.6), i == 0) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborImplPairs) -> GaborMaterial {
-    var at_x_1: vec3<f32>;
-    var at_y_1: vec3<f32>;
-    var dx_10: vec2<f32>;
-    var dy_10: vec2<f32>;
-    var spread_3: f32;
-    var kept_5: f32;
-    var unit_6: f32;
-    var warp_1: vec3<f32>;
-    var weft_1: vec3<f32>;
-    var height_4: vec3<f32> = vec3(0f);
-    var colour_4: vec3<f32> = vec3(0f);
-    var lost_7: vec3<f32> = vec3(0f);
-    var samples_1: i32;
-    var i_15: i32 = 0i;
-    var at_13: vec2<f32>;
-    var offset_3: vec2<f32>;
-    var x_28: vec3<f32>;
-    var y_20: vec3<f32>;
-    var turn_14: f32;
-    var first_4: bool;
-    var local_56: vec3<f32>;
-    var along_3: vec3<f32>;
-    var local_57: vec3<f32>;
-    var across_3: vec3<f32>;
-    var local_58: f32;
-    var cube: f32;
-    var low_1: f32;
-    var arch: f32;
-    var wave_17: vec2<f32>;
-    var bulge: vec3<f32>;
-    var local_59: vec3<f32>;
-    var local_60: vec3<f32>;
-    let _e5 = gabor_impl_along_x(cloth);
-    at_x_1 = (count.x * _e5);
-    let _e9 = gabor_impl_along_y(cloth);
-    at_y_1 = (count.y * _e9);
-    dx_10 = (count * cloth.dx);
-    dy_10 = (count * cloth.dy);
-    let _e18 = dx_10;
-    let _e19 = dy_10;
-    let _e20 = gabor_impl_sample_spread(_e18, _e19);
-    spread_3 = _e20;
-    let _e25 = spread_3;
-    kept_5 = (1f - smoothstep(0.5f, 1f, _e25));
-    unit_6 = (fibres.relief / fibres.tows);
-    let _e40 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, fibres.contrast);
-    let _e41 = gabor_impl_toned(fibres.colour, _e40);
-    warp_1 = _e41;
-    let _e50 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, fibres.contrast);
-    let _e51 = gabor_impl_toned(fibres.colour, _e50);
-    weft_1 = _e51;
-    let _e62 = spread_3;
-    let _e63 = gabor_impl_samples(_e62);
-    samples_1 = _e63;
-    loop {
-        let _e67 = i_15;
-        let _e68 = samples_1;
-        if !((_e67 < _e68)) {
-            break;
-        }
-        {
-            let _e74 = i_15;
-            let _e75 = samples_1;
-            let _e76 = gabor_impl_sample(_e74, _e75);
-            at_13 = _e76;
-            let _e78 = at_13;
-            let _e80 = dx_10;
-            let _e82 = at_13;
-            let _e84 = dy_10;
-            offset_3 = ((_e78.x * _e80) + (_e82.y * _e84));
-            let _e88 = at_x_1;
-            let _e89 = offset_3;
-            x_28 = (_e88 + vec3<f32>(_e89.x, 0f, 0f));
-            let _e96 = at_y_1;
-            let _e97 = offset_3;
-            y_20 = (_e96 + vec3<f32>(_e97.y, 0f, 0f));
-            let _e106 = x_28;
-            let _e109 = y_20;
-            turn_14 = ((4f * fract(((0.25f * (floor(_e106.x) + floor(_e109.x))) + 0.125f))) - 0.5f);
-            let _e122 = x_28;
-            let _e124 = x_28;
-            x_28.x = (_e122.x - floor(_e124.x));
-            let _e129 = y_20;
-            let _e131 = y_20;
-            y_20.x = (_e129.x - floor(_e131.x));
-            let _e135 = turn_14;
-            first_4 = (_e135 < 1.5f);
-            let _e140 = first_4;
-            if _e140 {
-                let _e141 = y_20;
-                local_56 = _e141;
-            } else {
-                let _e142 = x_28;
-                local_56 = _e142;
-            }
-            let _e144 = local_56;
-            along_3 = (0.5f * _e144);
-            let _e148 = first_4;
-            if _e148 {
-                let _e149 = x_28;
-                local_57 = _e149;
-            } else {
-                let _e150 = y_20;
-                local_57 = _e150;
-            }
-            let _e152 = local_57;
-            across_3 = (2f * _e152);
-            let _e156 = along_3;
-            let _e159 = turn_14;
-            if (fract(((0.5f * _e159) + 0.25f)) < 0.5f) {
-                local_58 = 0f;
-            } else {
-                local_58 = 0.5f;
-            }
-            let _e169 = local_58;
-            along_3.x = (_e156.x + _e169);
-            let _e172 = across_3;
-            across_3.x = (_e172.x - 1f);
-            let _e176 = across_3;
-            let _e178 = across_3;
-            let _e181 = across_3;
-            cube = ((_e176.x * _e178.x) * _e181.x);
-            let _e186 = cube;
-            let _e187 = across_3;
-            low_1 = (1f - (_e186 * _e187.x));
-            let _e192 = low_1;
-            let _e193 = low_1;
-            arch = (_e192 * _e193);
-            let _e197 = along_3;
-            let _e202 = along_3;
-            wave_17 = vec2<f32>(cos((3.1415927f * _e197.x)), sin((3.1415927f * _e202.x)));
-            let _e208 = wave_17;
-            let _e210 = arch;
-            let _e213 = arch;
-            let _e215 = wave_17;
-            let _e218 = along_3;
-            let _e222 = cube;
-            let _e224 = low_1;
-            let _e226 = wave_17;
-            let _e229 = across_3;
-            let _e232 = ((((3.1415927f * _e213) * _e215.x) * _e218.yz) - ((((8f * _e222) * _e224) * _e226.y) * _e229.yz));
-            bulge = vec3<f32>((_e208.y * _e210), _e232.x, _e232.y);
-            let _e237 = colour_4;
-            let _e240 = bulge;
-            let _e244 = first_4;
-            if _e244 {
-                let _e245 = warp_1;
-                local_59 = _e245;
-            } else {
-                let _e246 = weft_1;
-                local_59 = _e246;
-            }
-            let _e248 = local_59;
-            colour_4 = (_e237 + ((0.35f + (0.65f * _e240.x)) * _e248));
-            let _e252 = bulge;
-            let _e255 = first_4;
-            if _e255 {
-                local_60 = of_.pair_0_.first;
-            } else {
-                local_60 = of_.pair_1_.first;
-            }
-            let _e261 = local_60;
-            bulge = ((0.16f * _e252) + (0.006f * _e261));
-            let _e264 = height_4;
-            let _e265 = bulge;
-            height_4 = (_e264 + _e265);
-            let _e267 = lost_7;
-            let _e268 = bulge;
-            let _e270 = gabor_impl_square(_e268.yz);
-            lost_7 = (_e267 + _e270);
-        }
-        continuing {
-            let _e71 = i_15;
-            i_15 = (_e71 + 1i);
-        }
+fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCarbonFibre, of_: GaborImplPairs) -> GaborMaterial {
+    let at_x = count.x * gabor_impl_along_x(cloth); let at_y = count.y * gabor_impl_along_y(cloth);
+    let dx = count * cloth.dx; let dy = count * cloth.dy;
+    let spread = gabor_impl_sample_spread(dx, dy); let kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    let unit = fibres.relief / fibres.tows;
+    let warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, fibres.contrast));
+    let weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, fibres.contrast));
+    var height = vec3f(0.0); var colour = vec3f(0.0); var lost = vec3f(0.0);
+    let samples = gabor_impl_samples(spread);
+    for (var i = 0; i < samples; i++) {
+        let at = gabor_impl_sample(i, samples); let offset = at.x * dx + at.y * dy;
+        var x = at_x + vec3f(offset.x, 0.0, 0.0); var y = at_y + vec3f(offset.y, 0.0, 0.0);
+        let turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
+        x.x -= floor(x.x);
+        y.x -= floor(y.x);
+        let first = turn < 1.5;
+        var along = 0.5 * select(x, y, first); var across = 2.0 * select(y, x, first);
+        along.x += select(0.5, 0.0, fract(0.5 * turn + 0.25) < 0.5); // from 0 to 1 over two rows
+        across.x -= 1.0;
+        let cube = across.x * across.x * across.x; let low = 1.0 - cube * across.x; let arch = low * low;
+        let wave = vec2f(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+        var bulge = vec3f(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
+        colour += (0.35 + 0.65 * bulge.x) * select(weft, warp, first);
+        bulge = 0.16 * bulge + 0.006 * select(of_.pair_1.first, of_.pair_0.first, first);
+        height += bulge;
+        lost += gabor_impl_square(bulge.yz);
     }
-    let _e274 = samples_1;
-    let _e275 = kept_5;
-    let _e280 = (count * count);
-    gabor_impl_average((&height_4), (&lost_7), _e274, _e275, 0.072432f, (0.0551424f * vec3<f32>(_e280.x, _e280.y, 0f)));
-    let _e289 = warp_1;
-    let _e290 = weft_1;
-    let _e293 = colour_4;
-    let _e294 = samples_1;
-    let _e298 = kept_5;
-    colour_4 = mix((0.3221275f * (_e289 + _e290)), (_e293 / vec3(f32(_e294))), vec3(_e298));
-    let _e301 = unit_6;
-    let _e302 = unit_6;
-    let _e304 = lost_7;
-    lost_7 = ((_e301 * _e302) * (_e304 + (0.000018f * (of_.pair_0_.lost + of_.pair_1_.lost))));
-    let _e314 = colour_4;
-    let _e315 = unit_6;
-    let _e316 = height_4;
-    let _e318 = lost_7;
-    let _e321 = gabor_impl_material(_e314, (_e315 * _e316), _e318, fibres.roughness, 0f);
-    return _e321;
+    // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    gabor_impl_average(&height, &lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3f(count * count, 0.0));
+    colour = mix(0.3221275 * (warp + weft), colour / f32(samples), kept);
+    lost = unit * unit * (lost + 1.8e-5 * (of_.pair_0.lost + of_.pair_1.lost));
+    return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
-fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_8: GaborImplPixel;
-    var cloth_5: GaborImplPixel;
-    var count_10: vec2<f32>;
-    var of_5: GaborImplPairs;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_8 = _e8;
-    let _e10 = pixel_8;
-    let _e11 = gabor_impl_twill(_e10, seed);
-    cloth_5 = _e11;
-    let _e13 = pixel_8;
-    let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
-    count_10 = _e16;
-    let _e18 = gabor_impl_no_pairs();
-    of_5 = _e18;
-    let _e22 = cloth_5;
-    let _e23 = count_10;
-    let _e24 = gabor_impl_tow_layer(0i, _e22, _e23, seed);
-    let _e25 = gabor_impl_spots_pair(_e24);
-    of_5.pair_0_ = _e25;
-    let _e28 = cloth_5;
-    let _e29 = count_10;
-    let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
-    let _e31 = gabor_impl_spots_pair(_e30);
-    of_5.pair_1_ = _e31;
-    let _e32 = cloth_5;
-    let _e33 = count_10;
-    let _e34 = of_5;
-    let _e35 = gabor_impl_carbon_fibre(_e32, _e33, fibres, _e34);
-    return _e35;
+fn gabor_carbon_fibre_at(p: vec2f, period: vec2f, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let cloth = gabor_impl_twill(pixel, seed);
+    let count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
+    var of_ = gabor_impl_no_pairs();
+    of_.pair_0 = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of_);
 }
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
@@ -2470,885 +949,247 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
 // middle.
 
 fn gabor_impl_skin(pixel: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplPixel {
-    var bends_1: vec2<f32>;
-    var skin: GaborImplPixel;
-    bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
-    let _e11 = bends_1;
-    let _e15 = gabor_impl_warp(pixel, vec2(0.9f), vec2(_e11.x), seed, 0i);
-    skin = _e15;
-    let _e17 = skin;
-    let _e20 = bends_1;
-    let _e24 = gabor_impl_warp(_e17, vec2(4f), vec2(_e20.y), seed, 1i);
-    return _e24;
+    let bends = vec2f(0.07, 0.014) * leather.wrinkles;
+    let skin = gabor_impl_warp(pixel, vec2f(0.9), vec2f(bends.x), seed, 0);
+    return gabor_impl_warp(skin, vec2f(4.0), vec2f(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplLayer {
-    var local_61: f32;
-    if (i < 3i) {
-        let _e12 = gabor_lobe_seed(seed, 4i);
-        let _e13 = gabor_impl_octave(pixel, vec2(18f), i, 3i, 0.75f, _e12);
-        return _e13;
-    }
-    if (i == 3i) {
-        let _e20 = gabor_impl_spots_layer(1i, pixel, vec2(0.8f), seed, 5i);
-        return _e20;
-    }
-    if (i == 4i) {
-        local_61 = 0.2f;
-    } else {
-        local_61 = 2.2944f;
-    }
-    let _e33 = local_61;
-    let _e36 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e33, seed, (i - 2i));
-    return _e36;
+    if (i < 3) { return gabor_impl_octave(pixel, vec2f(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4)); }
+    if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(0.8), seed, 5); }
+    return gabor_impl_waves_layer(i - 2, skin, vec2f(leather.cells / 1.6), 1.6, select(2.2944, 0.2, i == 4), seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
-fn gabor_impl_moved_waves(waves: GaborImplPair, at: GaborImplPixel, wave: vec2<f32>, offset: vec2<f32>, turns: f32) -> GaborImplPair {
-    var turn_15: vec2<f32>;
-    var phase_9: vec3<f32>;
-    var a_13: vec3<f32>;
-    var b_15: vec3<f32>;
-    var first_5: vec3<f32>;
-    var second_4: vec3<f32>;
-    let _e5 = gabor_impl_wave(turns);
-    turn_15 = _e5;
-    phase_9 = (6.2831855f * vec3<f32>(0f, dot(wave, at.by_x), dot(wave, at.by_y)));
-    let _e19 = phase_9;
-    a_13 = (waves.first + (waves.second.x * _e19));
-    let _e26 = phase_9;
-    b_15 = (waves.second - (waves.first.x * _e26));
-    let _e31 = a_13;
-    let _e33 = a_13;
-    a_13.x = (_e31.x + dot(_e33.yz, offset));
-    let _e38 = b_15;
-    let _e40 = b_15;
-    b_15.x = (_e38.x + dot(_e40.yz, offset));
-    let _e44 = turn_15;
-    let _e46 = a_13;
-    let _e48 = turn_15;
-    let _e50 = b_15;
-    first_5 = ((_e44.x * _e46) - (_e48.y * _e50));
-    let _e54 = turn_15;
-    let _e56 = a_13;
-    let _e58 = turn_15;
-    let _e60 = b_15;
-    second_4 = ((_e54.y * _e56) + (_e58.x * _e60));
-    let _e64 = first_5;
-    let _e65 = second_4;
-    let _e67 = phase_9;
-    let _e70 = second_4;
-    let _e71 = first_5;
-    let _e73 = phase_9;
-    return GaborImplPair((_e64 - (_e65.x * _e67)), (_e70 + (_e71.x * _e73)), 0f, vec3(0f));
+fn gabor_impl_moved_waves(waves: GaborImplPair, at: GaborImplPixel, wave: vec2f, offset: vec2f, turns: f32) -> GaborImplPair {
+    let turn = gabor_impl_wave(turns);
+    let phase = 6.2831853 * vec3f(0.0, dot(wave, at.by_x), dot(wave, at.by_y));
+    var a = waves.first + waves.second.x * phase; var b = waves.second - waves.first.x * phase; // the envelope's slopes
+    a.x += dot(a.yz, offset);
+    b.x += dot(b.yz, offset);
+    let first = turn.x * a - turn.y * b; let second = turn.y * a + turn.x * b;
+    return GaborImplPair(first - second.x * phase, second + first.x * phase, 0.0, vec3f(0.0));
 }
 
 // Brings the waves of a pair near length 1: their cosine and sine.
-fn gabor_impl_crest(waves: GaborImplPair, cosine: ptr<function, vec3<f32>>, sine: ptr<function, vec3<f32>>) {
-    var power_6: f32;
-    var change_4: vec2<f32>;
-    var unit_7: vec3<f32>;
-    power_6 = (((waves.first.x * waves.first.x) + (waves.second.x * waves.second.x)) + 0.12f);
-    change_4 = ((waves.first.x * waves.first.yz) + (waves.second.x * waves.second.yz));
-    let _e29 = power_6;
-    let _e34 = power_6;
-    let _e36 = change_4;
-    let _e37 = ((-1f / _e34) * _e36);
-    unit_7 = (inverseSqrt(_e29) * vec3<f32>(1f, _e37.x, _e37.y));
-    let _e44 = unit_7;
-    let _e45 = gabor_impl_times(waves.first, _e44);
-    (*cosine) = _e45;
-    let _e47 = unit_7;
-    let _e48 = gabor_impl_times(waves.second, _e47);
-    (*sine) = _e48;
-    return;
+fn gabor_impl_crest(waves: GaborImplPair, cosine: ptr<function, vec3f>, sine: ptr<function, vec3f>) {
+    let power = waves.first.x * waves.first.x + waves.second.x * waves.second.x + 0.12;
+    let change = waves.first.x * waves.first.yz + waves.second.x * waves.second.yz;
+    let unit = inverseSqrt(power) * vec3f(1.0, -1.0 / power * change);
+    *cosine = gabor_impl_times(waves.first, unit);
+    *sine = gabor_impl_times(waves.second, unit);
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
 fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, of_: GaborImplPairs) -> GaborMaterial {
-    var wave_a: vec2<f32>;
-    var wave_b: vec2<f32>;
-    var dx_11: vec2<f32>;
-    var dy_11: vec2<f32>;
-    var spread_4: f32;
-    var bend_2: f32;
-    var kept_6: f32;
-    var share: f32 = 0f;
-    var grains: f32 = 0f;
-    var height_5: vec3<f32> = vec3(0f);
-    var lost_8: vec3<f32> = vec3(0f);
-    var samples_2: i32;
-    var i_17: i32 = 0i;
-    var at_15: vec2<f32>;
-    var offset_5: vec2<f32>;
-    var further: vec2<f32>;
-    var a_14: vec3<f32>;
-    var b_16: vec3<f32>;
-    var sine_a: vec3<f32>;
-    var sine_b: vec3<f32>;
-    var cells: vec3<f32>;
-    var grained: vec3<f32>;
-    var pebble: vec2<f32>;
-    var relief: vec3<f32>;
-    var grain: f32;
-    var square_5: vec3<f32>;
-    var tones_1: vec2<f32>;
-    var colour_5: vec3<f32>;
-    let _e6 = gabor_wave_vector(leather.cells, 0.2f);
-    wave_a = _e6;
-    let _e10 = gabor_wave_vector(leather.cells, 2.2944f);
-    wave_b = _e10;
-    let _e12 = wave_a;
-    let _e15 = wave_b;
-    dx_11 = vec2<f32>(dot(_e12, skin.dx), dot(_e15, skin.dx));
-    let _e20 = wave_a;
-    let _e23 = wave_b;
-    dy_11 = vec2<f32>(dot(_e20, skin.dy), dot(_e23, skin.dy));
-    let _e28 = dx_11;
-    let _e29 = dy_11;
-    let _e30 = gabor_impl_sample_spread(_e28, _e29);
-    spread_4 = _e30;
-    let _e34 = spread_4;
-    let _e36 = spread_4;
-    bend_2 = exp(((-30f * _e34) * _e36));
-    let _e43 = spread_4;
-    kept_6 = (1f - smoothstep(0.4f, 0.8f, _e43));
-    let _e57 = spread_4;
-    let _e58 = gabor_impl_samples(_e57);
-    samples_2 = _e58;
-    loop {
-        let _e62 = i_17;
-        let _e63 = samples_2;
-        if !((_e62 < _e63)) {
-            break;
-        }
-        {
-            let _e69 = i_17;
-            let _e70 = samples_2;
-            let _e71 = gabor_impl_sample(_e69, _e70);
-            at_15 = _e71;
-            let _e73 = at_15;
-            let _e75 = dx_11;
-            let _e77 = at_15;
-            let _e79 = dy_11;
-            offset_5 = ((_e73.x * _e75) + (_e77.y * _e79));
-            let _e83 = bend_2;
-            let _e84 = at_15;
-            let _e88 = at_15;
-            further = (_e83 * ((_e84.x * pixel.dx) + (_e88.y * pixel.dy)));
-            let _e100 = wave_a;
-            let _e101 = further;
-            let _e102 = offset_5;
-            let _e104 = gabor_impl_moved_waves(of_.pair_2_, skin, _e100, _e101, _e102.x);
-            gabor_impl_crest(_e104, (&a_14), (&sine_a));
-            let _e110 = wave_b;
-            let _e111 = further;
-            let _e112 = offset_5;
-            let _e114 = gabor_impl_moved_waves(of_.pair_3_, skin, _e110, _e111, _e112.y);
-            gabor_impl_crest(_e114, (&b_16), (&sine_b));
-            let _e119 = a_14;
-            let _e120 = b_16;
-            let _e122 = a_14;
-            let _e123 = b_16;
-            let _e124 = gabor_impl_times(_e122, _e123);
-            let _e126 = sine_a;
-            let _e127 = sine_b;
-            let _e128 = gabor_impl_times(_e126, _e127);
-            cells = (((_e119 + _e120) + _e124) - _e128);
-            let _e131 = cells;
-            grained = (_e131 + (0.1f * of_.pair_0_.second));
-            let _e142 = grained;
-            let _e147 = gabor_impl_step(-1.45f, -0.55f, vec3<f32>(_e142.x, 1f, 0f));
-            pebble = _e147.xy;
-            let _e150 = share;
-            let _e151 = pebble;
-            share = (_e150 + _e151.x);
-            let _e155 = pebble;
-            let _e157 = pebble;
-            let _e159 = grained;
-            let _e161 = (_e157.y * _e159.yz);
-            let _e170 = cells;
-            let _e171 = gabor_impl_step(-1f, 3f, _e170);
-            relief = (((0.016f * vec3<f32>(_e155.x, _e161.x, _e161.y)) + (0.013f * _e171)) + (0.0008f * of_.pair_0_.second));
-            let _e181 = pebble;
-            grain = ((0.0016f * _e181.y) + 0.0008f);
-            let _e187 = grains;
-            let _e188 = grain;
-            let _e189 = grain;
-            grains = (_e187 + (_e188 * _e189));
-            let _e192 = height_5;
-            let _e193 = relief;
-            height_5 = (_e192 + _e193);
-            let _e195 = lost_8;
-            let _e196 = relief;
-            let _e198 = gabor_impl_square(_e196.yz);
-            lost_8 = (_e195 + _e198);
-        }
-        continuing {
-            let _e66 = i_17;
-            i_17 = (_e66 + 1i);
-        }
+    let wave_a = gabor_wave_vector(leather.cells, 0.2); let wave_b = gabor_wave_vector(leather.cells, 2.2944);
+    let dx = vec2f(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
+    let dy = vec2f(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
+    let spread = gabor_impl_sample_spread(dx, dy); let bend = exp(-30.0 * spread * spread);
+    let kept = 1.0 - smoothstep(0.4, 0.8, spread); var share = 0.0; var grains = 0.0;
+    var height = vec3f(0.0); var lost = vec3f(0.0);
+    let samples = gabor_impl_samples(spread);
+    for (var i = 0; i < samples; i++) {
+        let at = gabor_impl_sample(i, samples); let offset = at.x * dx + at.y * dy;
+        let further = bend * (at.x * pixel.dx + at.y * pixel.dy);
+        var a: vec3f; var b: vec3f; var sine_a: vec3f; var sine_b: vec3f;
+        gabor_impl_crest(gabor_impl_moved_waves(of_.pair_2, skin, wave_a, further, offset.x), &a, &sine_a);
+        gabor_impl_crest(gabor_impl_moved_waves(of_.pair_3, skin, wave_b, further, offset.y), &b, &sine_b);
+        // 3 in the middle of a cell, -1.5 in a corner
+        let cells = a + b + gabor_impl_times(a, b) - gabor_impl_times(sine_a, sine_b);
+        let grained = cells + 0.1 * of_.pair_0.second;
+        let pebble = gabor_impl_step(-1.45, -0.55, vec3f(grained.x, 1.0, 0.0)).xy; // with its derivative
+        share += pebble.x;
+        let relief = 0.016 * vec3f(pebble.x, pebble.y * grained.yz) + 0.013 * gabor_impl_step(-1.0, 3.0, cells)
+                    + 0.0008 * of_.pair_0.second;
+        let grain = 0.0016 * pebble.y + 0.0008; // the height's derivative by the grain
+        grains += grain * grain;
+        height += relief;
+        lost += gabor_impl_square(relief.yz);
     }
-    square_5 = ((leather.cells * leather.cells) * vec3<f32>(0.0027f, 0.0024f, -0.00012f));
-    let _e212 = samples_2;
-    let _e213 = kept_6;
-    let _e215 = square_5;
-    gabor_impl_average((&height_5), (&lost_8), _e212, _e213, 0.015964f, _e215);
-    let _e219 = share;
-    let _e220 = samples_2;
-    let _e223 = kept_6;
-    share = mix(0.806f, (_e219 / f32(_e220)), _e223);
-    let _e231 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.14f);
-    let _e238 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, 0.08f);
-    tones_1 = (_e231 + _e238);
-    let _e242 = tones_1;
-    let _e243 = gabor_impl_toned(leather.crease, _e242);
-    let _e245 = tones_1;
-    let _e246 = gabor_impl_toned(leather.pebble, _e245);
-    let _e247 = share;
-    colour_5 = mix(_e243, _e246, vec3(_e247));
-    let _e254 = lost_8;
-    let _e256 = grains;
-    let _e257 = samples_2;
-    let _e260 = kept_6;
-    lost_8 = ((leather.relief * leather.relief) * (_e254 + (mix(0.00000064f, (_e256 / f32(_e257)), _e260) * of_.pair_0_.lost)));
-    let _e267 = colour_5;
-    let _e269 = height_5;
-    let _e271 = lost_8;
-    let _e275 = share;
-    let _e280 = gabor_impl_material(_e267, (leather.relief * _e269), _e271, (leather.roughness + (0.15f * (1f - _e275))), 0f);
-    return _e280;
+    let square = leather.cells * leather.cells * vec3f(0.0027, 0.0024, -0.00012);
+    gabor_impl_average(&height, &lost, samples, kept, 0.015964, square);
+    share = mix(0.806, share / f32(samples), kept);
+    let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.14)
+               + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.08);
+    let colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / f32(samples), kept) * of_.pair_0.lost);
+    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
-fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_12: GaborImplPixel;
-    var skin_3: GaborImplPixel;
-    var of_7: GaborImplPairs;
-    var i_18: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_12 = _e8;
-    let _e10 = pixel_12;
-    let _e11 = gabor_impl_skin(_e10, leather, seed);
-    skin_3 = _e11;
-    let _e13 = gabor_impl_no_pairs();
-    of_7 = _e13;
-    loop {
-        let _e17 = i_18;
-        if !((_e17 < 3i)) {
-            break;
-        }
-        let _e25 = of_7;
-        let _e27 = i_18;
-        let _e28 = pixel_12;
-        let _e29 = skin_3;
-        let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
-        of_7.pair_0_ = _e31;
-        continuing {
-            let _e21 = i_18;
-            i_18 = (_e21 + 1i);
-        }
+fn gabor_leather_at(p: vec2f, period: vec2f, leather: GaborLeather, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let skin = gabor_impl_skin(pixel, leather, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 3; i++) {
+        of_.pair_0 = gabor_impl_plus_octave(of_.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     }
-    let _e34 = pixel_12;
-    let _e35 = skin_3;
-    let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
-    let _e37 = gabor_impl_spots_pair(_e36);
-    of_7.pair_1_ = _e37;
-    let _e40 = pixel_12;
-    let _e41 = skin_3;
-    let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
-    let _e43 = gabor_impl_waves_pair(_e42);
-    of_7.pair_2_ = _e43;
-    let _e46 = pixel_12;
-    let _e47 = skin_3;
-    let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
-    let _e49 = gabor_impl_waves_pair(_e48);
-    of_7.pair_3_ = _e49;
-    let _e50 = pixel_12;
-    let _e51 = skin_3;
-    let _e52 = of_7;
-    let _e53 = gabor_impl_leather(_e50, _e51, leather, _e52);
-    return _e53;
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of_.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of_.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of_);
 }
 
 // ---- Marble --------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_stone(pixel: GaborImplPixel, marble: GaborMarble, seed: u32) -> GaborImplPixel {
-    var bends_2: vec4<f32>;
-    var stone: GaborImplPixel;
-    bends_2 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
-    let _e13 = bends_2;
-    let _e17 = gabor_impl_warp(pixel, vec2(1.1f), vec2(_e13.x), seed, 0i);
-    stone = _e17;
-    let _e19 = stone;
-    let _e22 = bends_2;
-    let _e26 = gabor_impl_warp(_e19, vec2(4f), vec2(_e22.y), seed, 1i);
-    stone = _e26;
-    let _e27 = stone;
-    let _e30 = bends_2;
-    let _e34 = gabor_impl_warp(_e27, vec2(13f), vec2(_e30.z), seed, 2i);
-    stone = _e34;
-    let _e35 = stone;
-    let _e38 = bends_2;
-    let _e42 = gabor_impl_warp(_e35, vec2(40f), vec2(_e38.w), seed, 3i);
-    return _e42;
+    let bends = vec4f(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
+    var stone = gabor_impl_warp(pixel, vec2f(1.1), vec2f(bends.x), seed, 0);
+    stone = gabor_impl_warp(stone, vec2f(4.0), vec2f(bends.y), seed, 1);
+    stone = gabor_impl_warp(stone, vec2f(13.0), vec2f(bends.z), seed, 2);
+    return gabor_impl_warp(stone, vec2f(40.0), vec2f(bends.w), seed, 3);
 }
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborImplPixel, stone: GaborImplPixel, seed: u32) -> GaborImplLayer {
-    var local_62: vec3<f32>;
-    var local_63: vec3<f32>;
-    var local_64: vec3<f32>;
-    var vein: vec3<f32>;
-    var local_65: i32;
-    var local_66: i32;
-    if (i < 3i) {
-        let _e11 = gabor_lobe_seed(seed, 8i);
-        let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
-        return _e12;
-    }
-    if (i == 3i) {
-        let _e19 = gabor_impl_spots_layer(1i, pixel, vec2(75f), seed, 9i);
-        return _e19;
-    }
-    if (i == 4i) {
-        local_64 = vec3<f32>(1.9f, 0.95f, -0.45f);
-    } else {
-        if (i == 5i) {
-            local_63 = vec3<f32>(0.95f, 0.85f, 0.65f);
-        } else {
-            if (i == 6i) {
-                local_62 = vec3<f32>(4.5f, 0.95f, 0.95f);
-            } else {
-                local_62 = vec3<f32>(13f, 0.9f, 0.2f);
-            }
-            let _e44 = local_62;
-            local_63 = _e44;
-        }
-        let _e46 = local_63;
-        local_64 = _e46;
-    }
-    let _e48 = local_64;
-    vein = _e48;
-    let _e51 = vein;
-    let _e54 = vein;
-    let _e56 = vein;
-    if (i == 4i) {
-        local_66 = 5i;
-    } else {
-        if (i == 5i) {
-            local_65 = 4i;
-        } else {
-            local_65 = i;
-        }
-        let _e65 = local_65;
-        local_66 = _e65;
-    }
-    let _e67 = local_66;
-    let _e68 = gabor_impl_waves_layer(2i, stone, vec2(_e51.x), _e54.y, _e56.z, seed, _e67);
-    return _e68;
+    if (i < 3) { return gabor_impl_octave(stone, vec2f(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8)); }
+    if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(75.0), seed, 9); }
+    let vein = select(select(select(vec3f(13.0, 0.9, 0.2), vec3f(4.5, 0.95, 0.95), i == 6),
+                                                  vec3f(0.95, 0.85, 0.65), i == 5), vec3f(1.9, 0.95, -0.45), i == 4);
+    return gabor_impl_waves_layer(2, stone, vec2f(vein.x), vein.y, vein.z, seed, select(select(i, 4, i == 5), 5, i == 4));
 }
 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborImplPair) -> GaborMaterial {
-    var clouds: f32;
-    var colour_6: vec3<f32>;
-    let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
-    clouds = (marble.clouds * _e8.x);
-    let _e14 = clouds;
-    let _e21 = gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f);
-    let _e22 = gabor_impl_toned((marble.stone * (1f - _e14)), _e21);
-    colour_6 = _e22;
-    let _e24 = colour_6;
-    let _e33 = gabor_impl_material(_e24, (0.00012f * crystal.second), (0.0000000144f * crystal.lost), marble.roughness, 0f);
-    return _e33;
+    let clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    let colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
+    return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
-    var local_67: f32;
-    var local_68: vec2<f32>;
-    var local_69: vec2<f32>;
-    var width_7: vec2<f32>;
-    var local_70: vec2<f32>;
-    var local_71: vec2<f32>;
-    var strength: vec2<f32>;
-    var local_72: f32;
-    var local_73: f32;
-    var local_74: f32;
-    var open: f32;
-    var halo: vec3<f32>;
-    var local_75: f32;
-    var local_76: f32;
-    var local_77: f32;
-    var core: vec3<f32>;
-    if (i == 4i) {
-        local_69 = vec2<f32>(0.25f, 0.035f);
-    } else {
-        if (i == 5i) {
-            local_68 = vec2<f32>(0.35f, 0.05f);
-        } else {
-            if (i == 6i) {
-                local_67 = 0.04f;
-            } else {
-                local_67 = 0.05f;
-            }
-            let _e20 = local_67;
-            local_68 = vec2<f32>(1f, _e20);
-        }
-        let _e23 = local_68;
-        local_69 = _e23;
-    }
-    let _e25 = local_69;
-    width_7 = _e25;
-    if (i == 4i) {
-        local_71 = vec2<f32>(0.6f, 0.6f);
-    } else {
-        if (i == 5i) {
-            local_70 = vec2<f32>(0.55f, 0.75f);
-        } else {
-            local_70 = vec2<f32>(0f, 0.45f);
-        }
-        let _e42 = local_70;
-        local_71 = _e42;
-    }
-    let _e44 = local_71;
-    strength = (marble.veins * _e44);
-    if (i == 4i) {
-        local_74 = 0.5f;
-    } else {
-        if (i == 5i) {
-            local_73 = -0.4f;
-        } else {
-            if (i == 6i) {
-                local_72 = 0.8f;
-            } else {
-                local_72 = 1.1f;
-            }
-            let _e61 = local_72;
-            local_73 = _e61;
-        }
-        let _e63 = local_73;
-        local_74 = _e63;
-    }
-    let _e65 = local_74;
-    let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
-    open = _e67.x;
-    let _e71 = strength;
-    let _e73 = open;
-    let _e76 = width_7;
-    let _e78 = gabor_impl_line(vein.first, vein.removed, _e76.y);
-    strength.y = (_e71.y * (_e73 * _e78.x));
-    let _e83 = strength;
-    let _e85 = open;
-    let _e88 = width_7;
-    let _e90 = gabor_impl_line(vein.first, vein.removed, _e88.x);
-    let _e93 = strength;
-    strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
-    halo = mix(marble.stone, marble.vein, vec3(0.65f));
-    if (i == 4i) {
-        local_77 = 0.9f;
-    } else {
-        if (i == 5i) {
-            local_76 = 1f;
-        } else {
-            if (i == 6i) {
-                local_75 = 0.65f;
-            } else {
-                local_75 = 0.45f;
-            }
-            let _e116 = local_75;
-            local_76 = _e116;
-        }
-        let _e118 = local_76;
-        local_77 = _e118;
-    }
-    let _e120 = local_77;
-    core = mix(marble.stone, marble.vein, vec3(_e120));
-    let _e125 = (*stone);
-    let _e127 = strength;
-    let _e129 = halo;
-    let _e130 = (*stone);
-    let _e134 = strength;
-    let _e136 = core;
-    let _e137 = (*stone);
-    (*stone).colour = (_e125.colour + ((_e127.x * (_e129 - _e130.colour)) + (_e134.y * (_e136 - _e137.colour))));
-    let _e144 = (*stone);
-    (*stone).colour = clamp(_e144.colour, vec3(0f), vec3(1f));
-    return;
+    let width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
+    var strength = marble.veins * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);
+    let open = gabor_impl_above(vein.second, vein.removed, select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4), 0.5).x;
+    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
+    let halo = mix(marble.stone, marble.vein, 0.65);
+    let core = mix(marble.stone, marble.vein, select(select(select(0.45, 0.65, i == 6), 1.0, i == 5), 0.9, i == 4));
+    (*stone).colour += strength.x * (halo - (*stone).colour) + strength.y * (core - (*stone).colour);
+    (*stone).colour = clamp((*stone).colour, vec3f(0.0), vec3f(1.0));
 }
 
-fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_15: GaborImplPixel;
-    var stone_3: GaborImplPixel;
-    var cloud_1: GaborImplPair;
-    var i_21: i32 = 0i;
-    var crystal_1: GaborImplPair;
-    var material: GaborMaterial;
-    var j_6: i32 = 4i;
-    var layer_8: GaborImplLayer;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_15 = _e8;
-    let _e10 = pixel_15;
-    let _e11 = gabor_impl_stone(_e10, marble, seed);
-    stone_3 = _e11;
-    let _e13 = gabor_impl_no_pair();
-    cloud_1 = _e13;
-    loop {
-        let _e17 = i_21;
-        if !((_e17 < 3i)) {
-            break;
-        }
-        let _e24 = cloud_1;
-        let _e25 = i_21;
-        let _e26 = pixel_15;
-        let _e27 = stone_3;
-        let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
-        let _e29 = gabor_impl_plus_octave(_e24, _e28);
-        cloud_1 = _e29;
-        continuing {
-            let _e21 = i_21;
-            i_21 = (_e21 + 1i);
-        }
+fn gabor_marble_at(p: vec2f, period: vec2f, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let stone = gabor_impl_stone(pixel, marble, seed);
+    var cloud = gabor_impl_no_pair();
+    for (var i = 0; i < 3; i++) {
+        cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
     }
-    let _e31 = pixel_15;
-    let _e32 = stone_3;
-    let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
-    let _e34 = gabor_impl_spots_pair(_e33);
-    crystal_1 = _e34;
-    let _e36 = cloud_1;
-    let _e37 = crystal_1;
-    let _e38 = gabor_impl_marble(marble, _e36, _e37);
-    material = _e38;
-    loop {
-        let _e42 = j_6;
-        if !((_e42 < 8i)) {
-            break;
-        }
-        {
-            let _e49 = j_6;
-            let _e50 = pixel_15;
-            let _e51 = stone_3;
-            let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
-            layer_8 = _e52;
-            let _e55 = j_6;
-            let _e56 = layer_8;
-            let _e57 = gabor_impl_waves_pair(_e56);
-            gabor_impl_add_veins((&material), marble, _e55, _e57);
-        }
-        continuing {
-            let _e46 = j_6;
-            j_6 = (_e46 + 1i);
-        }
+    let crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    var material = gabor_impl_marble(marble, cloud, crystal);
+    for (var j = 4; j < 8; j++) {
+        let layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        gabor_impl_add_veins(&material, marble, j, gabor_impl_waves_pair(layer));
     }
-    let _e59 = material;
-    return _e59;
+    return material;
 }
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_dune(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
-    var dune: GaborImplPixel;
-    let _e7 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), seed, 0i);
-    dune = _e7;
-    let _e9 = dune;
-    let _e15 = gabor_impl_warp(_e9, vec2(3f), vec2(0.02f), seed, 1i);
-    return _e15;
+    let dune = gabor_impl_warp(pixel, vec2f(0.8), vec2f(0.15), seed, 0);
+    return gabor_impl_warp(dune, vec2f(3.0), vec2f(0.02), seed, 1);
 }
 
 // Three octaves of large shapes, grains, and ripples.
 fn gabor_impl_sand_layer(i: i32, pixel: GaborImplPixel, dune: GaborImplPixel, sand: GaborSand, seed: u32) -> GaborImplLayer {
-    if (i < 3i) {
-        let _e12 = gabor_lobe_seed(seed, 4i);
-        let _e13 = gabor_impl_octave(pixel, vec2(0.6f), i, 3i, 0.5f, _e12);
-        return _e13;
-    }
-    if (i == 3i) {
-        let _e20 = gabor_impl_spots_layer(1i, pixel, vec2(75f), seed, 3i);
-        return _e20;
-    }
-    let _e37 = gabor_impl_waves_layer(2i, dune, (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples), 2.3f, 1.4f, seed, 2i);
-    return _e37;
+    if (i < 3) { return gabor_impl_octave(pixel, vec2f(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4)); }
+    if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(75.0), seed, 3); }
+    return gabor_impl_waves_layer(2, dune, vec2f(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
 fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs) -> GaborMaterial {
-    var z_1: vec2<f32>;
-    var power_7: f32;
-    var whole_3: f32;
-    var span_3: f32;
-    var change_5: vec2<f32>;
-    var phase_10: vec3<f32>;
-    var ripple: vec3<f32>;
-    var tones_2: vec2<f32>;
-    var colour_7: vec3<f32>;
-    var dark: f32;
-    var bright: f32;
-    var tall: vec3<f32>;
-    var height_6: vec3<f32>;
-    var wave_19: vec2<f32>;
-    var bent: vec3<f32>;
-    var square_6: vec3<f32>;
-    var lost_9: vec3<f32>;
-    z_1 = vec2<f32>(of_.pair_2_.first.x, of_.pair_2_.second.x);
-    let _e11 = z_1;
-    let _e12 = z_1;
-    power_7 = max(dot(_e11, _e12), 0.000001f);
-    let _e17 = power_7;
-    whole_3 = (_e17 + (2.5f * of_.pair_2_.removed));
-    let _e25 = power_7;
-    let _e26 = whole_3;
-    span_3 = (0.9f * sqrt((_e25 / _e26)));
-    let _e31 = z_1;
-    let _e37 = z_1;
-    change_5 = ((_e31.x * of_.pair_2_.first.yz) + (_e37.y * of_.pair_2_.second.yz));
-    let _e45 = z_1;
-    let _e46 = gabor_phasor(_e45);
-    let _e49 = power_7;
-    let _e51 = z_1;
-    let _e57 = z_1;
-    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.pair_2_.second.yz) - (_e57.y * of_.pair_2_.first.yz)));
-    phase_10 = vec3<f32>(_e46.x, _e64.x, _e64.y);
-    let _e69 = phase_10;
-    let _e70 = span_3;
-    let _e73 = power_7;
-    let _e76 = whole_3;
-    let _e79 = change_5;
-    let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
-    let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
-    ripple = _e85;
-    let _e93 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, sand.grain);
-    let _e100 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, 0.06f);
-    tones_2 = (_e93 + _e100);
-    let _e104 = tones_2;
-    let _e105 = gabor_impl_toned(sand.trough, _e104);
-    let _e107 = tones_2;
-    let _e108 = gabor_impl_toned(sand.crest, _e107);
-    let _e109 = ripple;
-    colour_7 = mix(_e105, _e108, vec3(_e109.x));
-    let _e120 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, 1.9f, 0.15f);
-    dark = _e120.x;
-    let _e130 = gabor_impl_above(-(of_.pair_1_.second), of_.pair_1_.removed, 1.9f, 0.15f);
-    bright = _e130.x;
-    let _e133 = colour_7;
-    let _e140 = dark;
-    colour_7 = mix(_e133, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e140)));
-    let _e144 = colour_7;
-    let _e154 = bright;
-    colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
-    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.pair_0_.first));
-    let _e170 = ripple;
-    let _e171 = tall;
-    let _e172 = gabor_impl_times(_e170, _e171);
-    height_6 = ((_e172 + (0.03f * of_.pair_0_.first)) + ((0.00875f * sand.grain) * of_.pair_1_.first));
-    wave_19 = (ripples.density * ripples.wave);
-    let _e190 = wave_19;
-    let _e194 = wave_19;
-    wave_19 = vec2<f32>(dot(_e190, ripples.at.by_x), dot(_e194, ripples.at.by_y));
-    let _e203 = ((0.4f * ripples.density) * ripples.density);
-    bent = vec3<f32>(_e203.x, _e203.y, 0f);
-    let _e209 = wave_19;
-    let _e210 = gabor_impl_square(_e209);
-    let _e211 = bent;
-    let _e216 = gabor_impl_turned_square(_e211, ripples.at.by_x, ripples.at.by_y);
-    square_6 = (_e210 + _e216);
-    let _e219 = tall;
-    let _e221 = tall;
-    let _e224 = phase_10;
-    let _e226 = span_3;
-    let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
-    let _e230 = square_6;
-    lost_9 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.pair_0_.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.pair_1_.lost));
-    let _e247 = colour_7;
-    let _e248 = height_6;
-    let _e249 = lost_9;
-    let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
-    return _e252;
+    let z = vec2f(of_.pair_2.first.x, of_.pair_2.second.x);
+    let power = max(dot(z, z), 1.0e-6); let whole = power + 2.5 * of_.pair_2.removed;
+    let span = 0.9 * sqrt(power / whole);
+    let change = z.x * of_.pair_2.first.yz + z.y * of_.pair_2.second.yz; // half the derivative of the power
+    let phase = vec3f(gabor_phasor(z).x, 0.15915494 / power * (z.x * of_.pair_2.second.yz - z.y * of_.pair_2.first.yz));
+    let ripple = gabor_impl_rise(phase, span * vec3f(1.0, (1.0 / power - 1.0 / whole) * change));
+    let tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, sand.grain)
+               + gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.06);
+    var colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    let dark = gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, 1.9, 0.15).x;
+    let bright = gabor_impl_above(-of_.pair_1.second, of_.pair_1.removed, 1.9, 0.15).x;
+    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
+    colour = mix(colour, mix(sand.crest, vec3f(1.0), 0.6), 3.0 * sand.grain * bright);
+    let tall = vec3f(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of_.pair_0.first;
+    let height = gabor_impl_times(ripple, tall) + 0.03 * of_.pair_0.first + 0.00875 * sand.grain * of_.pair_1.first;
+    var wave = ripples.density * ripples.wave; // per unit of the dune
+    wave = vec2f(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
+    // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
+    let bent = vec3f(0.4 * ripples.density * ripples.density, 0.0);
+    let square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    let lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
+              + 0.0009 * of_.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of_.pair_1.lost;
+    return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
-fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_18: GaborImplPixel;
-    var dune_2: GaborImplPixel;
-    var ripples_1: GaborImplLayer;
-    var of_9: GaborImplPairs;
-    var i_23: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_18 = _e8;
-    let _e10 = pixel_18;
-    let _e11 = gabor_impl_dune(_e10, seed);
-    dune_2 = _e11;
-    let _e14 = pixel_18;
-    let _e15 = dune_2;
-    let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
-    ripples_1 = _e16;
-    let _e18 = gabor_impl_no_pairs();
-    of_9 = _e18;
-    loop {
-        let _e22 = i_23;
-        if !((_e22 < 3i)) {
-            break;
-        }
-        let _e30 = of_9;
-        let _e32 = i_23;
-        let _e33 = pixel_18;
-        let _e34 = dune_2;
-        let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
-        let _e36 = gabor_impl_plus_octave(_e30.pair_0_, _e35);
-        of_9.pair_0_ = _e36;
-        continuing {
-            let _e26 = i_23;
-            i_23 = (_e26 + 1i);
-        }
+fn gabor_sand_at(p: vec2f, period: vec2f, sand: GaborSand, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let dune = gabor_impl_dune(pixel, seed);
+    let ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 3; i++) {
+        of_.pair_0 = gabor_impl_plus_octave(of_.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     }
-    let _e39 = pixel_18;
-    let _e40 = dune_2;
-    let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
-    let _e42 = gabor_impl_spots_pair(_e41);
-    of_9.pair_1_ = _e42;
-    let _e44 = ripples_1;
-    let _e45 = gabor_impl_waves_pair(_e44);
-    of_9.pair_2_ = _e45;
-    let _e46 = ripples_1;
-    let _e47 = of_9;
-    let _e48 = gabor_impl_sand(sand, _e46, _e47);
-    return _e48;
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of_.pair_2 = gabor_impl_waves_pair(ripples);
+    return gabor_impl_sand(sand, ripples, of_);
 }
 
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 // Five sizes of streaks, and six octaves of patina.
 fn gabor_impl_metal_layer(i: i32, pixel: GaborImplPixel, metal: GaborBrushedMetal, seed: u32) -> GaborImplLayer {
-    var density_7: vec2<f32>;
-    if (i >= 5i) {
-        let _e13 = gabor_lobe_seed(seed, 5i);
-        let _e14 = gabor_impl_octave(pixel, vec2(1.3f), (i - 5i), 6i, 0.75f, _e13);
-        return _e14;
-    }
-    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
-    let _e28 = density_7;
-    let _e29 = gabor_impl_spots_layer(0i, pixel, _e28, seed, i);
-    return _e29;
+    if (i >= 5) { return gabor_impl_octave(pixel, vec2f(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5)); }
+    let density = vec2f(0.3 + 0.12 * exp2(f32(i)), metal.streaks * exp2(f32(i)));
+    return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
 fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
-    var local_78: i32;
-    if (metal.weathering > 0f) {
-        local_78 = 11i;
-    } else {
-        local_78 = 5i;
-    }
-    let _e7 = local_78;
-    return _e7;
+    return select(5, 11, metal.weathering > 0.0);
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
 fn gabor_impl_add_metal(of_: ptr<function, GaborImplPairs>, i: i32, layer: GaborImplLayer, pair: GaborImplPair) {
-    var size_2: f32;
-    if (i >= 5i) {
-        {
-            let _e7 = (*of_);
-            let _e10 = gabor_impl_plus(_e7.pair_1_, pair, layer.amplitude);
-            (*of_).pair_1_ = _e10;
-            return;
-        }
+    if (i >= 5) {
+        (*of_).pair_1 = gabor_impl_plus((*of_).pair_1, pair, layer.amplitude);
+        return;
     }
-    size_2 = exp2(-(f32(i)));
-    let _e17 = (*of_);
-    let _e20 = size_2;
-    (*of_).pair_0_.first = (_e17.pair_0_.first + (_e20 * pair.first));
-    let _e26 = (*of_);
-    (*of_).pair_0_.second = (_e26.pair_0_.second + (0.4472136f * pair.second));
-    let _e35 = (*of_);
-    (*of_).pair_0_.removed = (_e35.pair_0_.removed + (0.2f * pair.removed));
-    let _e44 = (*of_);
-    let _e47 = size_2;
-    let _e48 = size_2;
-    (*of_).pair_0_.lost = (_e44.pair_0_.lost + ((_e47 * _e48) * pair.lost));
-    return;
+    let size = exp2(-f32(i));
+    (*of_).pair_0.first += size * pair.first;
+    (*of_).pair_0.second += 0.4472136 * pair.second;
+    (*of_).pair_0.removed += 0.2 * pair.removed;
+    (*of_).pair_0.lost += size * size * pair.lost;
 }
 
 fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborImplPairs) -> GaborMaterial {
-    var colour_8: vec3<f32>;
-    var height_7: vec3<f32>;
-    var lost_10: vec3<f32>;
-    var threshold_2: f32;
-    var cover: vec3<f32>;
-    var patina: vec3<f32>;
-    let _e9 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, metal.contrast);
-    let _e10 = gabor_impl_toned(metal.colour, _e9);
-    colour_8 = _e10;
-    height_7 = (metal.relief * of_.pair_0_.first);
-    lost_10 = ((metal.relief * metal.relief) * of_.pair_0_.lost);
-    if (metal.weathering <= 0f) {
-        let _e27 = colour_8;
-        let _e28 = height_7;
-        let _e29 = lost_10;
-        let _e32 = gabor_impl_material(_e27, _e28, _e29, metal.roughness, 1f);
-        return _e32;
-    }
-    threshold_2 = (2.4f - (3.8f * metal.weathering));
-    let _e43 = threshold_2;
-    let _e45 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, _e43, 0.3f);
-    cover = _e45;
-    let _e54 = gabor_impl_tone(of_.pair_1_.first.x, of_.pair_1_.removed, 0.3f);
-    let _e55 = gabor_impl_toned(metal.patina, _e54);
-    patina = _e55;
-    let _e57 = height_7;
-    let _e59 = cover;
-    height_7 = (_e57 + ((0.003f * _e59) + (0.001f * of_.pair_1_.first)));
-    let _e67 = lost_10;
-    let _e75 = threshold_2;
-    let _e77 = gabor_impl_above_lost(of_.pair_1_.second, of_.pair_1_.removed, of_.pair_1_.lost, _e75, 0.3f);
-    lost_10 = (_e67 + ((0.000009f * _e77) + (0.000001f * of_.pair_1_.lost)));
-    let _e85 = colour_8;
-    let _e86 = patina;
-    let _e87 = cover;
-    let _e91 = height_7;
-    let _e92 = lost_10;
-    let _e95 = cover;
-    let _e99 = cover;
-    let _e102 = gabor_impl_material(mix(_e85, _e86, vec3(_e87.x)), _e91, _e92, mix(metal.roughness, 0.85f, _e95.x), (1f - _e99.x));
-    return _e102;
+    let colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, metal.contrast));
+    var height = metal.relief * of_.pair_0.first; var lost = metal.relief * metal.relief * of_.pair_0.lost;
+    if (metal.weathering <= 0.0) { return gabor_impl_material(colour, height, lost, metal.roughness, 1.0); }
+    let threshold = 2.4 - 3.8 * metal.weathering;
+    let cover = gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, threshold, 0.3);
+    let patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, 0.3));
+    height += 0.003 * cover + 0.001 * of_.pair_1.first;
+    lost += 9.0e-6 * gabor_impl_above_lost(of_.pair_1.second, of_.pair_1.removed, of_.pair_1.lost, threshold, 0.3)
+          + 1.0e-6 * of_.pair_1.lost;
+    return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
+                               1.0 - cover.x);
 }
 
-fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_20: GaborImplPixel;
-    var of_12: GaborImplPairs;
-    var layers: i32;
-    var i_26: i32 = 0i;
-    var layer_10: GaborImplLayer;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_20 = _e8;
-    let _e10 = gabor_impl_no_pairs();
-    of_12 = _e10;
-    let _e12 = gabor_impl_metal_layers(metal);
-    layers = _e12;
-    loop {
-        let _e16 = i_26;
-        let _e17 = layers;
-        if !((_e16 < _e17)) {
-            break;
-        }
-        {
-            let _e23 = i_26;
-            let _e24 = pixel_20;
-            let _e25 = gabor_impl_metal_layer(_e23, _e24, metal, seed);
-            layer_10 = _e25;
-            let _e28 = i_26;
-            let _e29 = layer_10;
-            let _e30 = layer_10;
-            let _e31 = gabor_impl_spots_pair(_e30);
-            gabor_impl_add_metal((&of_12), _e28, _e29, _e31);
-        }
-        continuing {
-            let _e20 = i_26;
-            i_26 = (_e20 + 1i);
-        }
+fn gabor_brushed_metal_at(p: vec2f, period: vec2f, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    var of_ = gabor_impl_no_pairs();
+    let layers = gabor_impl_metal_layers(metal);
+    for (var i = 0; i < layers; i++) {
+        let layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(&of_, i, layer, gabor_impl_spots_pair(layer));
     }
-    let _e33 = of_12;
-    let _e34 = gabor_impl_brushed_metal(metal, _e33);
-    return _e34;
+    return gabor_impl_brushed_metal(metal, of_);
 }
 
 // ---- Scratches -----------------------------------------------------------------------------------------------------
@@ -3356,1173 +1197,441 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScratches, seed: u32) -> GaborImplLayer {
-    var angle_1: f32;
-    var at_16: GaborImplPixel;
-    var local_79: f32;
-    var bend_3: f32;
-    angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
-    let _e17 = angle_1;
-    let _e18 = gabor_impl_turned(pixel, _e17);
-    at_16 = _e18;
-    let _e20 = at_16;
-    if (_e20.period.y > 0f) {
-        let _e27 = at_16;
-        local_79 = min(0.17f, (0.02f * _e27.period.y));
-    } else {
-        local_79 = 0.17f;
-    }
-    let _e34 = local_79;
-    bend_3 = _e34;
-    let _e36 = at_16;
-    let _e41 = bend_3;
-    let _e45 = gabor_impl_warp(_e36, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e41), seed, (2i * i));
-    at_16 = _e45;
-    let _e47 = at_16;
-    let _e62 = gabor_impl_spots_layer(0i, _e47, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
-    return _e62;
+    let angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * f32(i)) - 0.5);
+    var at = gabor_impl_turned(pixel, angle);
+    // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
+    // swell.
+    let bend = select(0.17, min(0.17, 0.02 * at.period.y), at.period.y > 0.0);
+    at = gabor_impl_warp(at, vec2f(0.3, 0.1), vec2f(0.0, bend), seed, 2 * i);
+    return gabor_impl_spots_layer(0, at, vec2f(1.0 / scratches.reach, 42.0) * exp2(0.13 * f32(i)), seed, 2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
 fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborImplPair) {
-    var size_3: f32;
-    var threshold_3: f32;
-    var open_1: vec3<f32>;
-    var scratch: vec3<f32>;
-    var change_6: f32;
-    size_3 = exp2((-0.13f * f32(i)));
-    threshold_3 = sqrt((5.76f - (2f * log(scratches.amount))));
-    let _e22 = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
-    open_1 = _e22;
-    let _e26 = threshold_3;
-    let _e28 = gabor_impl_above(noise.first, noise.removed, _e26, 0.2f);
-    let _e29 = open_1;
-    let _e30 = gabor_impl_times(_e28, _e29);
-    scratch = _e30;
-    let _e33 = (*sum);
-    let _e38 = size_3;
-    let _e41 = scratch;
-    (*sum).colour = (_e33.colour * (1f - ((0.25f + (0.7f * _e38)) * _e41.x)));
-    let _e47 = (*sum);
-    let _e49 = size_3;
-    let _e50 = scratch;
-    (*sum).height = (_e47.height - (_e49 * _e50.x));
-    let _e55 = (*sum);
-    let _e57 = size_3;
-    let _e58 = scratch;
-    (*sum).slope = (_e55.slope - (_e57 * _e58.yz));
-    let _e70 = gabor_impl_above(vec3<f32>(noise.second.x, 1f, 0f), noise.removed, 0.3f, 0.7f);
-    change_6 = _e70.y;
-    let _e74 = (*sum);
-    let _e77 = size_3;
-    let _e79 = size_3;
-    let _e81 = open_1;
-    let _e83 = open_1;
-    let _e86 = change_6;
-    let _e87 = change_6;
-    let _e96 = threshold_3;
-    let _e98 = gabor_impl_above_lost(noise.first, noise.removed, noise.lost, _e96, 0.2f);
-    (*sum).lost = (_e74.lost + ((((1.15f * _e77) * _e79) * ((_e81.x * _e83.x) + ((_e86 * _e87) * noise.removed))) * _e98));
-    return;
+    let size = exp2(-0.13 * f32(i));
+    let threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
+    let open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
+    let scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2), open);
+    (*sum).colour *= 1.0 - (0.25 + 0.7 * size) * scratch.x;
+    (*sum).height -= size * scratch.x;
+    (*sum).slope -= size * scratch.yz;
+    let change = gabor_impl_above(vec3f(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
+    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
+    (*sum).lost += 1.15 * size * size * (open.x * open.x + change * change * noise.removed)
+              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
 }
 
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
-    var height_8: vec3<f32>;
-    var lost_11: vec3<f32>;
-    height_8 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
-    lost_11 = ((scratches.depth * scratches.depth) * sum.lost);
-    let _e20 = height_8;
-    let _e21 = lost_11;
-    let _e24 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), _e20, _e21, scratches.roughness, 0f);
-    return _e24;
+    let height = scratches.depth * vec3f(sum.height, sum.slope);
+    let lost = scratches.depth * scratches.depth * sum.lost;
+    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+                               0.0);
 }
 
-fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_22: GaborImplPixel;
-    var sum_24: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_29: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_22 = _e8;
-    loop {
-        let _e23 = i_29;
-        if !((_e23 < 14i)) {
-            break;
-        }
-        let _e31 = i_29;
-        let _e32 = i_29;
-        let _e33 = pixel_22;
-        let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
-        let _e35 = gabor_impl_spots_pair(_e34);
-        gabor_impl_add_scratches((&sum_24), scratches, _e31, _e35);
-        continuing {
-            let _e27 = i_29;
-            i_29 = (_e27 + 1i);
-        }
+fn gabor_scratches_at(p: vec2f, period: vec2f, scratches: GaborScratches, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    var sum = GaborMaterial(vec3f(1.0), 0.0, vec2f(0.0), 0.0, 0.0, vec3f(0.0));
+    for (var i = 0; i < 14; i++) {
+        gabor_impl_add_scratches(&sum, scratches, i,
+                                 gabor_impl_spots_pair(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
     }
-    let _e37 = sum_24;
-    let _e38 = gabor_impl_scratches(scratches, _e37);
-    return _e38;
+    return gabor_impl_scratches(scratches, sum);
 }
 
 // ---- Zebra ---------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_hide(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
-    let _e7 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), seed, 0i);
-    return _e7;
+    return gabor_impl_warp(pixel, vec2f(0.9), vec2f(0.14), seed, 0);
 }
 
 fn gabor_impl_stripes_direction(pixel: GaborImplPixel, zebra: GaborZebra, seed: u32) -> f32 {
-    var place_19: GaborPlace;
-    let _e5 = gabor_impl_place(pixel, vec2(0.6f));
-    place_19 = _e5;
-    let _e9 = place_19;
-    let _e11 = gabor_lobe_seed(seed, 1i);
-    let _e12 = gabor_impl_spots(_e9, _e11);
-    return (zebra.direction + (zebra.bends * _e12.quadrature));
+    let place = gabor_impl_place(pixel, vec2f(0.6));
+    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
-fn gabor_impl_zebra_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, direction: f32, zebra: GaborZebra, seed: u32) -> GaborImplLayer {
-    if (i == 0i) {
-        let _e10 = gabor_impl_turned(skin, 2.0707963f);
-        let _e15 = gabor_impl_spots_layer(0i, _e10, vec2<f32>(6f, 80f), seed, 3i);
-        return _e15;
-    }
-    if (i == 1i) {
-        let _e22 = gabor_impl_spots_layer(1i, pixel, vec2(1.2f), seed, 4i);
-        return _e22;
-    }
-    let _e30 = gabor_impl_waves_layer(2i, skin, vec2((zebra.stripes / 1.4f)), 1.4f, direction, seed, 2i);
-    return _e30;
+fn gabor_impl_zebra_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, direction: f32, zebra: GaborZebra,
+                          seed: u32) -> GaborImplLayer {
+    if (i == 0) { return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2f(6.0, 80.0), seed, 3); }
+    if (i == 1) { return gabor_impl_spots_layer(1, pixel, vec2f(1.2), seed, 4); }
+    return gabor_impl_waves_layer(2, skin, vec2f(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
 fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborImplPairs) -> GaborMaterial {
-    var ragged: f32;
-    var relief_1: f32;
-    var intensity_1: f32;
-    var dark_1: f32;
-    var tones_3: vec2<f32>;
-    var colour_9: vec3<f32>;
-    ragged = (0.1f * zebra.hair);
-    relief_1 = (0.002f * zebra.hair);
-    intensity_1 = length(vec2<f32>(of_.pair_2_.first.x, of_.pair_2_.second.x));
-    let _e21 = ragged;
-    let _e22 = intensity_1;
-    let _e30 = ragged;
-    let _e31 = ragged;
-    let _e33 = intensity_1;
-    let _e35 = intensity_1;
-    let _e44 = intensity_1;
-    let _e47 = gabor_impl_above((of_.pair_2_.first + ((_e21 * _e22) * of_.pair_0_.first)), (of_.pair_2_.removed + ((((_e30 * _e31) * _e33) * _e35) * of_.pair_0_.removed)), 0f, (0.01f + (0.09f * _e44)));
-    dark_1 = _e47.x;
-    let _e58 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, (0.14f * zebra.hair));
-    let _e65 = gabor_impl_tone(of_.pair_1_.second.x, of_.pair_1_.removed, 0.08f);
-    tones_3 = (_e58 + _e65);
-    let _e69 = tones_3;
-    let _e70 = gabor_impl_toned(zebra.bright, _e69);
-    let _e72 = tones_3;
-    let _e73 = gabor_impl_toned(zebra.stripe, _e72);
-    let _e74 = dark_1;
-    colour_9 = mix(_e70, _e73, vec3(_e74));
-    let _e78 = colour_9;
-    let _e79 = relief_1;
-    let _e83 = relief_1;
-    let _e84 = relief_1;
-    let _e91 = gabor_impl_material(_e78, (_e79 * of_.pair_0_.first), ((_e83 * _e84) * of_.pair_0_.lost), zebra.roughness, 0f);
-    return _e91;
+    let ragged = 0.1 * zebra.hair; let relief = 0.002 * zebra.hair;
+    // where it is small, a constant softness would blur the edge
+    let intensity = length(vec2f(of_.pair_2.first.x, of_.pair_2.second.x));
+    let dark = gabor_impl_above(of_.pair_2.first + ragged * intensity * of_.pair_0.first,
+                                  of_.pair_2.removed + ragged * ragged * intensity * intensity * of_.pair_0.removed, 0.0,
+                                  0.01 + 0.09 * intensity).x;
+    let tones = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.14 * zebra.hair)
+               + gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.08);
+    let colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    return gabor_impl_material(colour, relief * of_.pair_0.first, relief * relief * of_.pair_0.lost, zebra.roughness,
+                               0.0);
 }
 
-fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_26: GaborImplPixel;
-    var skin_5: GaborImplPixel;
-    var direction_2: f32;
-    var of_14: GaborImplPairs;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_26 = _e8;
-    let _e10 = pixel_26;
-    let _e11 = gabor_impl_hide(_e10, seed);
-    skin_5 = _e11;
-    let _e13 = pixel_26;
-    let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
-    direction_2 = _e14;
-    let _e16 = gabor_impl_no_pairs();
-    of_14 = _e16;
-    let _e20 = pixel_26;
-    let _e21 = skin_5;
-    let _e22 = direction_2;
-    let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
-    let _e24 = gabor_impl_spots_pair(_e23);
-    of_14.pair_0_ = _e24;
-    let _e27 = pixel_26;
-    let _e28 = skin_5;
-    let _e29 = direction_2;
-    let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
-    let _e31 = gabor_impl_spots_pair(_e30);
-    of_14.pair_1_ = _e31;
-    let _e34 = pixel_26;
-    let _e35 = skin_5;
-    let _e36 = direction_2;
-    let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
-    let _e38 = gabor_impl_waves_pair(_e37);
-    of_14.pair_2_ = _e38;
-    let _e39 = of_14;
-    let _e40 = gabor_impl_zebra(zebra, _e39);
-    return _e40;
+fn gabor_zebra_at(p: vec2f, period: vec2f, zebra: GaborZebra, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let skin = gabor_impl_hide(pixel, seed);
+    let direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    var of_ = gabor_impl_no_pairs();
+    of_.pair_0 = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of_.pair_2 = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    return gabor_impl_zebra(zebra, of_);
 }
 
 // ---- Bark ----------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_trunk(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
-    var trunk: GaborImplPixel;
-    let _e9 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), seed, 0i);
-    trunk = _e9;
-    let _e11 = trunk;
-    let _e19 = gabor_impl_warp(_e11, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), seed, 1i);
-    trunk = _e19;
-    let _e20 = trunk;
-    let _e26 = gabor_impl_warp(_e20, vec2(10f), vec2(0.013f), seed, 2i);
-    return _e26;
+    var trunk = gabor_impl_warp(pixel, vec2f(0.8, 0.35), vec2f(0.22, 0.1), seed, 0);
+    trunk = gabor_impl_warp(trunk, vec2f(3.0, 1.6), vec2f(0.05, 0.05), seed, 1);
+    return gabor_impl_warp(trunk, vec2f(10.0), vec2f(0.013), seed, 2);
 }
 
 // Five octaves of roughness, moss, furrows, and cracks.
 fn gabor_impl_bark_layer(i: i32, pixel: GaborImplPixel, trunk: GaborImplPixel, bark: GaborBark, seed: u32) -> GaborImplLayer {
-    var at_17: GaborImplPixel;
-    at_17 = trunk;
-    if ((i > 1i) && (i < 6i)) {
-        at_17 = pixel;
-    }
-    if (i < 5i) {
-        let _e13 = at_17;
-        let _e20 = gabor_lobe_seed(seed, 5i);
-        let _e21 = gabor_impl_octave(_e13, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e20);
-        return _e21;
-    }
-    if (i == 5i) {
-        let _e25 = at_17;
-        let _e30 = gabor_impl_spots_layer(1i, _e25, vec2<f32>(1.1f, 0.7f), seed, 6i);
-        return _e30;
-    }
-    if (i == 6i) {
-        let _e49 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
-        return _e49;
-    }
-    let _e57 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
-    return _e57;
+    var at = trunk;
+    if (i > 1 && i < 6) { at = pixel; } // the trunk's warps would stretch small spots into smears
+    if (i < 5) { return gabor_impl_octave(at, vec2f(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5)); }
+    if (i == 5) { return gabor_impl_spots_layer(1, at, vec2f(1.1, 0.7), seed, 6); }
+    if (i == 6) { return gabor_impl_waves_layer(2, trunk, vec2f(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3); }
+    return gabor_impl_waves_layer(3, trunk, vec2f(1.2, 1.3), 0.9, 1.5, seed, 4);
 }
 
 fn gabor_impl_bark(bark: GaborBark, of_: GaborImplPairs) -> GaborMaterial {
-    var shape: vec3<f32>;
-    var removed_7: f32;
-    var whole_4: vec3<f32>;
-    var risen_1: vec3<f32>;
-    var plate: vec3<f32>;
-    var weighted: vec3<f32>;
-    var worn: f32;
-    var covered: f32;
-    var tone_1: vec2<f32>;
-    var top_1: vec3<f32>;
-    var moss: vec3<f32>;
-    var colour_10: vec3<f32>;
-    var coarse: vec3<f32>;
-    var height_9: vec3<f32>;
-    var wholes: f32;
-    var rises: f32;
-    var deep_1: f32;
-    var coarses: f32;
-    var both: f32;
-    var lost_12: vec3<f32>;
-    shape = (of_.pair_2_.first + (0.2f * of_.pair_0_.first));
-    removed_7 = (of_.pair_2_.removed + (0.04f * of_.pair_0_.removed));
-    let _e28 = gabor_impl_line(of_.pair_3_.first, of_.pair_3_.removed, 0.13f);
-    whole_4 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
-    let _e32 = shape;
-    let _e33 = removed_7;
-    let _e37 = gabor_impl_above(_e32, _e33, -0.15f, 0.35f);
-    risen_1 = _e37;
-    let _e39 = risen_1;
-    let _e40 = whole_4;
-    let _e41 = gabor_impl_times(_e39, _e40);
-    plate = _e41;
-    weighted = (of_.pair_0_.second + vec3<f32>((0.25f * of_.pair_0_.removed), 0f, 0f));
-    let _e55 = weighted;
-    let _e60 = gabor_impl_above(_e55, of_.pair_0_.removed, 0.5f, 0.4f);
-    worn = (0.5f * _e60.x);
-    let _e71 = gabor_impl_above(of_.pair_1_.second, of_.pair_1_.removed, 0.9f, 0.5f);
-    covered = (bark.cover * _e71.x);
-    let _e81 = gabor_impl_tone(of_.pair_0_.second.x, of_.pair_0_.removed, 0.25f);
-    tone_1 = _e81;
-    let _e84 = tone_1;
-    let _e85 = gabor_impl_toned(bark.plate, _e84);
-    let _e92 = tone_1;
-    let _e93 = gabor_impl_toned(mix(bark.plate, vec3(1f), vec3(0.13f)), _e92);
-    let _e94 = worn;
-    top_1 = mix(_e85, _e93, vec3(_e94));
-    let _e99 = tone_1;
-    let _e100 = gabor_impl_toned(bark.moss, _e99);
-    moss = _e100;
-    let _e103 = tone_1;
-    let _e104 = gabor_impl_toned(bark.furrow, _e103);
-    let _e105 = moss;
-    let _e106 = covered;
-    let _e109 = top_1;
-    let _e110 = moss;
-    let _e112 = covered;
-    let _e116 = plate;
-    colour_10 = mix(mix(_e104, _e105, vec3(_e106)), mix(_e109, _e110, vec3((0.6f * _e112))), vec3(_e116.x));
-    let _e126 = plate;
-    coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e126));
-    let _e131 = plate;
-    let _e136 = coarse;
-    let _e137 = gabor_impl_times(of_.pair_0_.first, _e136);
-    height_9 = ((bark.depth * _e131) + (0.018f * _e137));
-    let _e142 = whole_4;
-    let _e153 = gabor_impl_line(of_.pair_3_.first, of_.pair_3_.removed, 0.0919239f);
-    wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
-    let _e158 = risen_1;
-    let _e160 = risen_1;
-    let _e163 = risen_1;
-    let _e166 = risen_1;
-    let _e170 = removed_7;
-    let _e172 = removed_7;
-    rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
-    deep_1 = (bark.depth + (0.0108f * of_.pair_0_.first.x));
-    let _e188 = plate;
-    let _e193 = wholes;
-    let _e195 = rises;
-    coarses = ((0.16f + (0.48f * _e188.x)) + ((0.36f * _e193) * _e195));
-    let _e200 = deep_1;
-    let _e202 = coarse;
-    let _e205 = whole_4;
-    let _e208 = shape;
-    let _e213 = removed_7;
-    let _e217 = gabor_impl_above(vec3<f32>(_e208.x, 1f, 0f), _e213, -0.15f, 0.35f);
-    both = ((((0.0072f * _e200) * _e202.x) * _e205.x) * _e217.y);
-    let _e221 = deep_1;
-    let _e222 = deep_1;
-    let _e229 = wholes;
-    let _e230 = shape;
-    let _e231 = removed_7;
-    let _e242 = gabor_impl_above_lost(_e230, _e231, (of_.pair_2_.lost + (0.04f * of_.pair_0_.lost)), -0.15f, 0.35f);
-    let _e245 = rises;
-    let _e254 = gabor_impl_line_lost(of_.pair_3_.first, of_.pair_3_.removed, of_.pair_3_.lost, 0.13f);
-    let _e259 = coarses;
-    let _e261 = both;
-    lost_12 = ((((_e221 * _e222) + (0.00011664f * of_.pair_0_.removed)) * ((_e229 * _e242) + ((0.3025f * _e245) * _e254))) + (((0.000324f * _e259) + _e261) * of_.pair_0_.lost));
-    let _e268 = colour_10;
-    let _e269 = height_9;
-    let _e270 = lost_12;
-    let _e273 = gabor_impl_material(_e268, _e269, _e270, bark.roughness, 0f);
-    return _e273;
+    let shape = of_.pair_2.first + 0.2 * of_.pair_0.first;
+    let removed = of_.pair_2.removed + 0.04 * of_.pair_0.removed;
+    let whole = vec3f(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of_.pair_3.first, of_.pair_3.removed, 0.13);
+    let risen = gabor_impl_above(shape, removed, -0.15, 0.35); let plate = gabor_impl_times(risen, whole);
+    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
+    let weighted = of_.pair_0.second + vec3f(0.25 * of_.pair_0.removed, 0.0, 0.0);
+    let worn = 0.5 * gabor_impl_above(weighted, of_.pair_0.removed, 0.5, 0.4).x;
+    let covered = bark.cover * gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, 0.9, 0.5).x;
+    let tone = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.25);
+    let top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3f(1.0), 0.13), tone), worn);
+    let moss = gabor_impl_toned(bark.moss, tone);
+    let colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    let coarse = vec3f(0.4, 0.0, 0.0) + 0.6 * plate;
+    let height = bark.depth * plate + 0.018 * gabor_impl_times(of_.pair_0.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
+    // by the plate.
+    let wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of_.pair_3.first, of_.pair_3.removed, 0.0919239).x;
+    let rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
+    let deep = bark.depth + 0.0108 * of_.pair_0.first.x; let coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
+    let both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(vec3f(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    let lost = (deep * deep + 0.00011664 * of_.pair_0.removed)
+              * (wholes * gabor_impl_above_lost(shape, removed, of_.pair_2.lost + 0.04 * of_.pair_0.lost, -0.15, 0.35)
+                 + 0.3025 * rises * gabor_impl_line_lost(of_.pair_3.first, of_.pair_3.removed, of_.pair_3.lost, 0.13))
+              + (0.000324 * coarses + both) * of_.pair_0.lost;
+    return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
 
-fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_29: GaborImplPixel;
-    var trunk_2: GaborImplPixel;
-    var of_16: GaborImplPairs;
-    var i_32: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_29 = _e8;
-    let _e10 = pixel_29;
-    let _e11 = gabor_impl_trunk(_e10, seed);
-    trunk_2 = _e11;
-    let _e13 = gabor_impl_no_pairs();
-    of_16 = _e13;
-    loop {
-        let _e17 = i_32;
-        if !((_e17 < 5i)) {
-            break;
-        }
-        let _e25 = of_16;
-        let _e27 = i_32;
-        let _e28 = pixel_29;
-        let _e29 = trunk_2;
-        let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
-        of_16.pair_0_ = _e31;
-        continuing {
-            let _e21 = i_32;
-            i_32 = (_e21 + 1i);
-        }
+fn gabor_bark_at(p: vec2f, period: vec2f, bark: GaborBark, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let trunk = gabor_impl_trunk(pixel, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 5; i++) {
+        of_.pair_0 = gabor_impl_plus_octave(of_.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     }
-    let _e34 = pixel_29;
-    let _e35 = trunk_2;
-    let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
-    let _e37 = gabor_impl_spots_pair(_e36);
-    of_16.pair_1_ = _e37;
-    let _e40 = pixel_29;
-    let _e41 = trunk_2;
-    let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
-    let _e43 = gabor_impl_waves_pair(_e42);
-    of_16.pair_2_ = _e43;
-    let _e46 = pixel_29;
-    let _e47 = trunk_2;
-    let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
-    let _e49 = gabor_impl_waves_pair(_e48);
-    of_16.pair_3_ = _e49;
-    let _e50 = of_16;
-    let _e51 = gabor_impl_bark(bark, _e50);
-    return _e51;
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of_.pair_2 = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of_.pair_3 = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+    return gabor_impl_bark(bark, of_);
 }
 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_rock(pixel: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplPixel {
-    var folds: vec4<f32>;
-    var rock: GaborImplPixel;
-    folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
-    let _e15 = folds;
-    let _e19 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), seed, 0i);
-    rock = _e19;
-    let _e21 = rock;
-    let _e25 = folds;
-    let _e28 = gabor_impl_warp(_e21, vec2<f32>(1.6f, 2.6f), _e25.yz, seed, 1i);
-    rock = _e28;
-    let _e29 = rock;
-    let _e33 = folds;
-    let _e37 = gabor_impl_warp(_e29, vec2<f32>(7f, 10f), vec2(_e33.w), seed, 2i);
-    return _e37;
+    let folds = vec4f(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    var rock = gabor_impl_warp(pixel, vec2f(0.35, 0.6), vec2f(0.0, folds.x), seed, 0);
+    rock = gabor_impl_warp(rock, vec2f(1.6, 2.6), folds.yz, seed, 1);
+    return gabor_impl_warp(rock, vec2f(7.0, 10.0), vec2f(folds.w), seed, 2);
 }
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborImplPixel, rock: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplLayer {
-    var local_80: vec2<f32>;
-    var local_81: vec2<f32>;
-    var local_82: vec2<f32>;
-    var density_8: vec2<f32>;
-    if (i < 4i) {
-        let _e13 = gabor_lobe_seed(seed, 7i);
-        let _e14 = gabor_impl_octave(pixel, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e13);
-        return _e14;
+    if (i < 4) {
+        return gabor_impl_octave(pixel, vec2f(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     }
-    if (i == 4i) {
-        local_82 = vec2<f32>(0.1f, 0.33333334f);
-    } else {
-        if (i == 5i) {
-            local_81 = vec2<f32>(0.14f, 1f);
-        } else {
-            if (i == 6i) {
-                local_80 = vec2<f32>(0.25f, 2.8333333f);
-            } else {
-                local_80 = vec2<f32>(0.6f, 8.333333f);
-            }
-            let _e34 = local_80;
-            local_81 = _e34;
-        }
-        let _e36 = local_81;
-        local_82 = _e36;
-    }
-    let _e38 = local_82;
-    density_8 = _e38;
-    let _e42 = density_8;
-    let _e49 = gabor_impl_spots_layer((i - 3i), rock, (_e42 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
-    return _e49;
+    let density = select(select(select(vec2f(0.6, 8.3333333), vec2f(0.25, 2.8333333), i == 6),
+                                                    vec2f(0.14, 1.0), i == 5), vec2f(0.1, 0.33333333), i == 4);
+    return gabor_impl_spots_layer(i - 3, rock, density * vec2f(1.0, strata.layers), seed, i - 1);
 }
 
 fn gabor_impl_strata(strata: GaborStrata, of_: GaborImplPairs) -> GaborMaterial {
-    var soft: vec3<f32>;
-    var tones_4: vec2<f32>;
-    var colour_11: vec3<f32>;
-    var height_10: vec3<f32>;
-    var lost_13: vec3<f32>;
-    let _e8 = gabor_impl_above(of_.pair_2_.first, of_.pair_2_.removed, 0.5f, 0.22f);
-    soft = _e8;
-    let _e16 = gabor_impl_tone(of_.pair_4_.first.x, of_.pair_4_.removed, 0.13f);
-    let _e23 = gabor_impl_tone(of_.pair_0_.first.x, of_.pair_0_.removed, 0.11f);
-    tones_4 = (_e16 + _e23);
-    let _e27 = tones_4;
-    let _e28 = gabor_impl_toned(strata.rock, _e27);
-    let _e30 = tones_4;
-    let _e31 = gabor_impl_toned(strata.sandstone, _e30);
-    let _e38 = gabor_impl_above(of_.pair_1_.first, of_.pair_1_.removed, 0f, 0.5f);
-    colour_11 = mix(_e28, _e31, vec3(_e38.x));
-    let _e43 = colour_11;
-    let _e45 = tones_4;
-    let _e46 = gabor_impl_toned(strata.red, _e45);
-    let _e48 = soft;
-    colour_11 = mix(_e43, _e46, vec3((0.8f * _e48.x)));
-    let _e53 = colour_11;
-    let _e55 = tones_4;
-    let _e56 = gabor_impl_toned(strata.pale, _e55);
-    let _e64 = gabor_impl_above(of_.pair_3_.first, of_.pair_3_.removed, 1f, 0.2f);
-    colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
-    let _e69 = colour_11;
-    let _e73 = tones_4;
-    let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
-    let _e82 = gabor_impl_above(of_.pair_3_.second, of_.pair_3_.removed, 1.3f, 0.15f);
-    colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
-    let _e92 = soft;
-    height_10 = (((((0.02f * of_.pair_1_.second) - (0.012f * _e92)) + (0.006f * of_.pair_3_.first)) + (0.0015f * of_.pair_4_.first)) + (0.003f * of_.pair_0_.second));
-    let _e139 = gabor_impl_above_lost(of_.pair_2_.first, of_.pair_2_.removed, of_.pair_2_.lost, 0.5f, 0.22f);
-    lost_13 = (((((0.0004f * of_.pair_1_.lost) + (0.000036f * of_.pair_3_.lost)) + (0.00000225f * of_.pair_4_.lost)) + (0.000009f * of_.pair_0_.lost)) + (0.000144f * _e139));
-    let _e143 = colour_11;
-    let _e145 = height_10;
-    let _e150 = lost_13;
-    let _e154 = gabor_impl_material(_e143, (strata.relief * _e145), ((strata.relief * strata.relief) * _e150), strata.roughness, 0f);
-    return _e154;
+    let soft = gabor_impl_above(of_.pair_2.first, of_.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
+    let tones = gabor_impl_tone(of_.pair_4.first.x, of_.pair_4.removed, 0.13)
+               + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.11);
+    var colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+                      gabor_impl_above(of_.pair_1.first, of_.pair_1.removed, 0.0, 0.5).x);
+    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+                 0.75 * gabor_impl_above(of_.pair_3.first, of_.pair_3.removed, 1.0, 0.2).x);
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+                 0.6 * gabor_impl_above(of_.pair_3.second, of_.pair_3.removed, 1.3, 0.15).x);
+    let height = 0.02 * of_.pair_1.second - 0.012 * soft + 0.006 * of_.pair_3.first + 0.0015 * of_.pair_4.first
+                + 0.003 * of_.pair_0.second;
+    let lost = 0.0004 * of_.pair_1.lost + 3.6e-5 * of_.pair_3.lost + 2.25e-6 * of_.pair_4.lost + 9.0e-6 * of_.pair_0.lost
+              + 0.000144 * gabor_impl_above_lost(of_.pair_2.first, of_.pair_2.removed, of_.pair_2.lost, 0.5, 0.22);
+    return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
+                               0.0);
 }
 
-fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_32: GaborImplPixel;
-    var rock_2: GaborImplPixel;
-    var of_18: GaborImplPairs;
-    var i_34: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_32 = _e8;
-    let _e10 = pixel_32;
-    let _e11 = gabor_impl_rock(_e10, strata, seed);
-    rock_2 = _e11;
-    let _e13 = gabor_impl_no_pairs();
-    of_18 = _e13;
-    loop {
-        let _e17 = i_34;
-        if !((_e17 < 4i)) {
-            break;
-        }
-        let _e25 = of_18;
-        let _e27 = i_34;
-        let _e28 = pixel_32;
-        let _e29 = rock_2;
-        let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
-        let _e31 = gabor_impl_plus_octave(_e25.pair_0_, _e30);
-        of_18.pair_0_ = _e31;
-        continuing {
-            let _e21 = i_34;
-            i_34 = (_e21 + 1i);
-        }
+fn gabor_strata_at(p: vec2f, period: vec2f, strata: GaborStrata, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let rock = gabor_impl_rock(pixel, strata, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 4; i++) {
+        of_.pair_0 = gabor_impl_plus_octave(of_.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     }
-    let _e34 = pixel_32;
-    let _e35 = rock_2;
-    let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
-    let _e37 = gabor_impl_spots_pair(_e36);
-    of_18.pair_1_ = _e37;
-    let _e40 = pixel_32;
-    let _e41 = rock_2;
-    let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
-    let _e43 = gabor_impl_spots_pair(_e42);
-    of_18.pair_2_ = _e43;
-    let _e46 = pixel_32;
-    let _e47 = rock_2;
-    let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
-    let _e49 = gabor_impl_spots_pair(_e48);
-    of_18.pair_3_ = _e49;
-    let _e52 = pixel_32;
-    let _e53 = rock_2;
-    let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
-    let _e55 = gabor_impl_spots_pair(_e54);
-    of_18.pair_4_ = _e55;
-    let _e56 = of_18;
-    let _e57 = gabor_impl_strata(strata, _e56);
-    return _e57;
+    of_.pair_1 = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of_.pair_2 = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of_.pair_3 = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of_.pair_4 = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+    return gabor_impl_strata(strata, of_);
 }
 
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
-fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_33: GaborImplPixel;
-    var board_5: GaborImplPixel;
-    var of_19: GaborImplPairs;
-    var i_35: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_33 = _e6;
-    let _e8 = pixel_33;
-    let _e9 = gabor_impl_board(_e8, wood, seed);
-    board_5 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_19 = _e11;
-    loop {
-        let _e15 = i_35;
-        if !((_e15 < 3i)) {
-            break;
-        }
-        let _e23 = i_35;
-        let _e24 = pixel_33;
-        let _e25 = board_5;
-        let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        gabor_impl_add_filtered_spots((&of_19), _e26);
-        continuing {
-            let _e19 = i_35;
-            i_35 = (_e19 + 1i);
-        }
+fn gabor_wood_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let board = gabor_impl_board(pixel, wood, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 3; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_wood_layer(i, pixel, board, seed));
     }
-    let _e28 = board_5;
-    let _e29 = of_19;
-    let _e30 = gabor_impl_wood(_e28, wood, _e29, seed);
-    return _e30;
+    return gabor_impl_wood(board, wood, of_, seed);
 }
 
-fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_34: GaborImplPixel;
-    var cloth_6: GaborImplPixel;
-    var count_11: vec2<f32>;
-    var of_20: GaborImplPairs;
-    var i_36: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_34 = _e6;
-    let _e8 = pixel_34;
-    let _e9 = gabor_impl_cloth(_e8, fabric, seed);
-    cloth_6 = _e9;
-    let _e11 = pixel_34;
-    let _e12 = gabor_impl_threads(_e11, fabric);
-    count_11 = _e12;
-    let _e14 = gabor_impl_no_pairs();
-    of_20 = _e14;
-    loop {
-        let _e18 = i_36;
-        if !((_e18 < 4i)) {
-            break;
-        }
-        let _e26 = i_36;
-        let _e27 = cloth_6;
-        let _e28 = count_11;
-        let _e29 = gabor_impl_fabric_layer(_e26, _e27, _e28, seed);
-        gabor_impl_add_filtered_spots((&of_20), _e29);
-        continuing {
-            let _e22 = i_36;
-            i_36 = (_e22 + 1i);
-        }
+fn gabor_fabric_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, fabric: GaborFabric, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let cloth = gabor_impl_cloth(pixel, fabric, seed);
+    let count = gabor_impl_threads(pixel, fabric);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 4; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_fabric_layer(i, cloth, count, seed));
     }
-    let _e31 = cloth_6;
-    let _e32 = count_11;
-    let _e33 = of_20;
-    let _e34 = gabor_impl_fabric(_e31, _e32, fabric, _e33);
-    return _e34;
+    return gabor_impl_fabric(cloth, count, fabric, of_);
 }
 
-fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_35: GaborImplPixel;
-    var cloth_7: GaborImplPixel;
-    var count_12: vec2<f32>;
-    var of_21: GaborImplPairs;
-    var i_37: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_35 = _e6;
-    let _e8 = pixel_35;
-    let _e9 = gabor_impl_twill(_e8, seed);
-    cloth_7 = _e9;
-    let _e11 = pixel_35;
-    let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
-    count_12 = _e14;
-    let _e16 = gabor_impl_no_pairs();
-    of_21 = _e16;
-    loop {
-        let _e20 = i_37;
-        if !((_e20 < 2i)) {
-            break;
-        }
-        let _e28 = i_37;
-        let _e29 = cloth_7;
-        let _e30 = count_12;
-        let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        gabor_impl_add_filtered_spots((&of_21), _e31);
-        continuing {
-            let _e24 = i_37;
-            i_37 = (_e24 + 1i);
-        }
+fn gabor_carbon_fibre_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let cloth = gabor_impl_twill(pixel, seed);
+    let count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 2; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_tow_layer(i, cloth, count, seed));
     }
-    let _e33 = cloth_7;
-    let _e34 = count_12;
-    let _e35 = of_21;
-    let _e36 = gabor_impl_carbon_fibre(_e33, _e34, fibres, _e35);
-    return _e36;
+    return gabor_impl_carbon_fibre(cloth, count, fibres, of_);
 }
 
-fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_36: GaborImplPixel;
-    var skin_6: GaborImplPixel;
-    var of_22: GaborImplPairs;
-    var i_38: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_36 = _e6;
-    let _e8 = pixel_36;
-    let _e9 = gabor_impl_skin(_e8, leather, seed);
-    skin_6 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_22 = _e11;
-    loop {
-        let _e15 = i_38;
-        if !((_e15 < 4i)) {
-            break;
-        }
-        let _e23 = i_38;
-        let _e24 = pixel_36;
-        let _e25 = skin_6;
-        let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        gabor_impl_add_filtered_spots((&of_22), _e26);
-        continuing {
-            let _e19 = i_38;
-            i_38 = (_e19 + 1i);
-        }
+fn gabor_leather_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, leather: GaborLeather, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let skin = gabor_impl_skin(pixel, leather, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 4; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
     }
-    let _e30 = pixel_36;
-    let _e31 = skin_6;
-    let _e32 = gabor_impl_leather_layer(4i, _e30, _e31, leather, seed);
-    let _e33 = gabor_impl_waves_pair(_e32);
-    of_22.pair_2_ = _e33;
-    let _e36 = pixel_36;
-    let _e37 = skin_6;
-    let _e38 = gabor_impl_leather_layer(5i, _e36, _e37, leather, seed);
-    let _e39 = gabor_impl_waves_pair(_e38);
-    of_22.pair_3_ = _e39;
-    let _e40 = pixel_36;
-    let _e41 = skin_6;
-    let _e42 = of_22;
-    let _e43 = gabor_impl_leather(_e40, _e41, leather, _e42);
-    return _e43;
+    of_.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of_.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(pixel, skin, leather, of_);
 }
 
-fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_37: GaborImplPixel;
-    var stone_4: GaborImplPixel;
-    var of_23: GaborImplPairs;
-    var i_39: i32 = 0i;
-    var material_1: GaborMaterial;
-    var j_7: i32 = 4i;
-    var layer_11: GaborImplLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_37 = _e6;
-    let _e8 = pixel_37;
-    let _e9 = gabor_impl_stone(_e8, marble, seed);
-    stone_4 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_23 = _e11;
-    loop {
-        let _e15 = i_39;
-        if !((_e15 < 4i)) {
-            break;
-        }
-        let _e23 = i_39;
-        let _e24 = pixel_37;
-        let _e25 = stone_4;
-        let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        gabor_impl_add_filtered_spots((&of_23), _e26);
-        continuing {
-            let _e19 = i_39;
-            i_39 = (_e19 + 1i);
-        }
+fn gabor_marble_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let stone = gabor_impl_stone(pixel, marble, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 4; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_marble_layer(i, pixel, stone, seed));
     }
-    let _e28 = of_23;
-    let _e30 = of_23;
-    let _e32 = gabor_impl_marble(marble, _e28.pair_0_, _e30.pair_1_);
-    material_1 = _e32;
-    loop {
-        let _e36 = j_7;
-        if !((_e36 < 8i)) {
-            break;
-        }
-        {
-            let _e43 = j_7;
-            let _e44 = pixel_37;
-            let _e45 = stone_4;
-            let _e46 = gabor_impl_marble_layer(_e43, _e44, _e45, seed);
-            layer_11 = _e46;
-            let _e49 = j_7;
-            let _e50 = layer_11;
-            let _e51 = gabor_impl_filtered_waves(_e50);
-            gabor_impl_add_veins((&material_1), marble, _e49, _e51);
-        }
-        continuing {
-            let _e40 = j_7;
-            j_7 = (_e40 + 1i);
-        }
+    var material = gabor_impl_marble(marble, of_.pair_0, of_.pair_1);
+    for (var j = 4; j < 8; j++) {
+        let layer = gabor_impl_marble_layer(j, pixel, stone, seed);
+        gabor_impl_add_veins(&material, marble, j, gabor_impl_filtered_waves(layer));
     }
-    let _e53 = material_1;
-    return _e53;
+    return material;
 }
 
-fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_38: GaborImplPixel;
-    var dune_3: GaborImplPixel;
-    var of_24: GaborImplPairs;
-    var i_40: i32 = 0i;
-    var ripples_2: GaborImplLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_38 = _e6;
-    let _e8 = pixel_38;
-    let _e9 = gabor_impl_dune(_e8, seed);
-    dune_3 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_24 = _e11;
-    loop {
-        let _e15 = i_40;
-        if !((_e15 < 4i)) {
-            break;
-        }
-        let _e23 = i_40;
-        let _e24 = pixel_38;
-        let _e25 = dune_3;
-        let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
-        gabor_impl_add_filtered_spots((&of_24), _e26);
-        continuing {
-            let _e19 = i_40;
-            i_40 = (_e19 + 1i);
-        }
+fn gabor_sand_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, sand: GaborSand, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let dune = gabor_impl_dune(pixel, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 4; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     }
-    let _e29 = pixel_38;
-    let _e30 = dune_3;
-    let _e31 = gabor_impl_sand_layer(4i, _e29, _e30, sand, seed);
-    ripples_2 = _e31;
-    let _e34 = ripples_2;
-    let _e35 = gabor_impl_filtered_waves(_e34);
-    of_24.pair_2_ = _e35;
-    let _e36 = ripples_2;
-    let _e37 = of_24;
-    let _e38 = gabor_impl_sand(sand, _e36, _e37);
-    return _e38;
+    let ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of_.pair_2 = gabor_impl_filtered_waves(ripples);
+    return gabor_impl_sand(sand, ripples, of_);
 }
 
-fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_39: GaborImplPixel;
-    var of_25: GaborImplPairs;
-    var layers_1: i32;
-    var i_41: i32 = 0i;
-    var layer_12: GaborImplLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_39 = _e6;
-    let _e8 = gabor_impl_no_pairs();
-    of_25 = _e8;
-    let _e10 = gabor_impl_metal_layers(metal);
-    layers_1 = _e10;
-    loop {
-        let _e14 = i_41;
-        let _e15 = layers_1;
-        if !((_e14 < _e15)) {
-            break;
-        }
-        {
-            let _e21 = i_41;
-            let _e22 = pixel_39;
-            let _e23 = gabor_impl_metal_layer(_e21, _e22, metal, seed);
-            layer_12 = _e23;
-            let _e26 = i_41;
-            let _e27 = layer_12;
-            let _e28 = layer_12;
-            let _e29 = gabor_impl_filtered_spots(_e28);
-            gabor_impl_add_metal((&of_25), _e26, _e27, _e29);
-        }
-        continuing {
-            let _e18 = i_41;
-            i_41 = (_e18 + 1i);
-        }
+fn gabor_brushed_metal_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    var of_ = gabor_impl_no_pairs();
+    let layers = gabor_impl_metal_layers(metal);
+    for (var i = 0; i < layers; i++) {
+        let layer = gabor_impl_metal_layer(i, pixel, metal, seed);
+        gabor_impl_add_metal(&of_, i, layer, gabor_impl_filtered_spots(layer));
     }
-    let _e31 = of_25;
-    let _e32 = gabor_impl_brushed_metal(metal, _e31);
-    return _e32;
+    return gabor_impl_brushed_metal(metal, of_);
 }
 
-fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_40: GaborImplPixel;
-    var sum_25: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_42: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_40 = _e6;
-    loop {
-        let _e21 = i_42;
-        if !((_e21 < 14i)) {
-            break;
-        }
-        let _e29 = i_42;
-        let _e30 = i_42;
-        let _e31 = pixel_40;
-        let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = gabor_impl_filtered_spots(_e32);
-        gabor_impl_add_scratches((&sum_25), scratches, _e29, _e33);
-        continuing {
-            let _e25 = i_42;
-            i_42 = (_e25 + 1i);
-        }
+fn gabor_scratches_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, scratches: GaborScratches, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    var sum = GaborMaterial(vec3f(1.0), 0.0, vec2f(0.0), 0.0, 0.0, vec3f(0.0));
+    for (var i = 0; i < 14; i++) {
+        gabor_impl_add_scratches(&sum, scratches, i,
+                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
     }
-    let _e35 = sum_25;
-    let _e36 = gabor_impl_scratches(scratches, _e35);
-    return _e36;
+    return gabor_impl_scratches(scratches, sum);
 }
 
-fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_41: GaborImplPixel;
-    var skin_7: GaborImplPixel;
-    var direction_3: f32;
-    var of_26: GaborImplPairs;
-    var i_43: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_41 = _e6;
-    let _e8 = pixel_41;
-    let _e9 = gabor_impl_hide(_e8, seed);
-    skin_7 = _e9;
-    let _e11 = pixel_41;
-    let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
-    direction_3 = _e12;
-    let _e14 = gabor_impl_no_pairs();
-    of_26 = _e14;
-    loop {
-        let _e18 = i_43;
-        if !((_e18 < 2i)) {
-            break;
-        }
-        let _e26 = i_43;
-        let _e27 = pixel_41;
-        let _e28 = skin_7;
-        let _e29 = direction_3;
-        let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        gabor_impl_add_filtered_spots((&of_26), _e30);
-        continuing {
-            let _e22 = i_43;
-            i_43 = (_e22 + 1i);
-        }
+fn gabor_zebra_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, zebra: GaborZebra, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let skin = gabor_impl_hide(pixel, seed);
+    let direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 2; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
     }
-    let _e34 = pixel_41;
-    let _e35 = skin_7;
-    let _e36 = direction_3;
-    let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
-    let _e38 = gabor_impl_filtered_waves(_e37);
-    of_26.pair_2_ = _e38;
-    let _e39 = of_26;
-    let _e40 = gabor_impl_zebra(zebra, _e39);
-    return _e40;
+    of_.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    return gabor_impl_zebra(zebra, of_);
 }
 
-fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_42: GaborImplPixel;
-    var trunk_3: GaborImplPixel;
-    var of_27: GaborImplPairs;
-    var i_44: i32 = 0i;
-    var j_8: i32 = 6i;
-    var pair_4: GaborImplPair;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_42 = _e6;
-    let _e8 = pixel_42;
-    let _e9 = gabor_impl_trunk(_e8, seed);
-    trunk_3 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_27 = _e11;
-    loop {
-        let _e15 = i_44;
-        if !((_e15 < 6i)) {
-            break;
-        }
-        let _e23 = i_44;
-        let _e24 = pixel_42;
-        let _e25 = trunk_3;
-        let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        gabor_impl_add_filtered_spots((&of_27), _e26);
-        continuing {
-            let _e19 = i_44;
-            i_44 = (_e19 + 1i);
-        }
+fn gabor_bark_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, bark: GaborBark, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let trunk = gabor_impl_trunk(pixel, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 6; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
     }
-    loop {
-        let _e30 = j_8;
-        if !((_e30 < 8i)) {
-            break;
-        }
-        {
-            let _e37 = j_8;
-            let _e38 = pixel_42;
-            let _e39 = trunk_3;
-            let _e40 = gabor_impl_bark_layer(_e37, _e38, _e39, bark, seed);
-            let _e41 = gabor_impl_filtered_waves(_e40);
-            pair_4 = _e41;
-            let _e43 = j_8;
-            if (_e43 == 6i) {
-                let _e47 = pair_4;
-                of_27.pair_2_ = _e47;
-            } else {
-                let _e49 = pair_4;
-                of_27.pair_3_ = _e49;
-            }
-        }
-        continuing {
-            let _e34 = j_8;
-            j_8 = (_e34 + 1i);
-        }
+    for (var j = 6; j < 8; j++) {
+        let pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
+        if (j == 6) { of_.pair_2 = pair; } else { of_.pair_3 = pair; }
     }
-    let _e50 = of_27;
-    let _e51 = gabor_impl_bark(bark, _e50);
-    return _e51;
+    return gabor_impl_bark(bark, of_);
 }
 
-fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborImplPixel;
-    var rock_3: GaborImplPixel;
-    var of_28: GaborImplPairs;
-    var i_45: i32 = 0i;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_43 = _e6;
-    let _e8 = pixel_43;
-    let _e9 = gabor_impl_rock(_e8, strata, seed);
-    rock_3 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_28 = _e11;
-    loop {
-        let _e15 = i_45;
-        if !((_e15 < 8i)) {
-            break;
-        }
-        let _e23 = i_45;
-        let _e24 = pixel_43;
-        let _e25 = rock_3;
-        let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        gabor_impl_add_filtered_spots((&of_28), _e26);
-        continuing {
-            let _e19 = i_45;
-            i_45 = (_e19 + 1i);
-        }
+fn gabor_strata_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, strata: GaborStrata, seed: u32) -> GaborMaterial {
+    let pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    let rock = gabor_impl_rock(pixel, strata, seed);
+    var of_ = gabor_impl_no_pairs();
+    for (var i = 0; i < 8; i++) {
+        gabor_impl_add_filtered_spots(&of_, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
     }
-    let _e28 = of_28;
-    let _e29 = gabor_impl_strata(strata, _e28);
-    return _e29;
+    return gabor_impl_strata(strata, of_);
 }
 
 // ---- Definitions of the other public functions ---------------------------------------------------------------------
 
 fn gabor_roughness(material: GaborMaterial) -> f32 {
-    var alpha: f32;
-    alpha = (material.roughness * material.roughness);
-    let _e5 = alpha;
-    let _e6 = alpha;
-    return sqrt(sqrt(min(((_e5 * _e6) + (0.5f * (material.lost.x + material.lost.y))), 1f)));
+    let alpha = material.roughness * material.roughness;
+    return sqrt(sqrt(min(alpha * alpha + 0.5 * (material.lost.x + material.lost.y), 1.0)));
 }
 
 fn gabor_wood_default() -> GaborWood {
-    return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
+    return GaborWood(vec3f(0.50, 0.275, 0.115), vec3f(0.20, 0.078, 0.027), 13.0, 1.0, 0.75, 0.5);
 }
 fn gabor_fabric_default() -> GaborFabric {
-    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f, 0f);
+    return GaborFabric(vec3f(0.50, 0.43, 0.33), vec3f(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0, 0.0);
 }
 fn gabor_leather_default() -> GaborLeather {
-    return GaborLeather(vec3<f32>(0.2f, 0.068f, 0.026f), vec3<f32>(0.04f, 0.014f, 0.007f), 6.88f, 1f, 1f, 0.4f);
+    return GaborLeather(vec3f(0.20, 0.068, 0.026), vec3f(0.04, 0.014, 0.007), 6.88, 1.0, 1.0, 0.4);
 }
 fn gabor_marble_default() -> GaborMarble {
-    return GaborMarble(vec3<f32>(0.8f, 0.79f, 0.77f), vec3<f32>(0.13f, 0.135f, 0.145f), 1f, 1f, 0.25f, 0.2f);
+    return GaborMarble(vec3f(0.80, 0.79, 0.77), vec3f(0.13, 0.135, 0.145), 1.0, 1.0, 0.25, 0.2);
 }
 fn gabor_sand_default() -> GaborSand {
-    return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
+    return GaborSand(vec3f(0.43, 0.30, 0.17), vec3f(0.60, 0.44, 0.265), 3.87, 0.055, 0.16, 0.9);
 }
 fn gabor_brushed_metal_default() -> GaborBrushedMetal {
-    return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), vec3<f32>(0.14f, 0.33f, 0.27f), 9f, 0.09f, 0.0012f, 0.36f, 0f);
+    return GaborBrushedMetal(vec3f(0.55, 0.555, 0.565), vec3f(0.14, 0.33, 0.27), 9.0, 0.09, 0.0012, 0.36, 0.0);
 }
 fn gabor_scratches_default() -> GaborScratches {
-    return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);
+    return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+                          0.3);
 }
 fn gabor_zebra_default() -> GaborZebra {
-    return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);
+    return GaborZebra(vec3f(0.70, 0.64, 0.54), vec3f(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7);
 }
 fn gabor_bark_default() -> GaborBark {
-    return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.08f, 0.9f);
+    return GaborBark(vec3f(0.20, 0.145, 0.10), vec3f(0.025, 0.014, 0.008), vec3f(0.10, 0.13, 0.045), 2.21, 0.35, 0.08,
+                     0.9);
 }
 fn gabor_carbon_fibre_default() -> GaborCarbonFibre {
-    return GaborCarbonFibre(vec3<f32>(0.028f, 0.029f, 0.031f), 4f, 0.3f, 1f, 0.3f);
+    return GaborCarbonFibre(vec3f(0.028, 0.029, 0.031), 4.0, 0.3, 1.0, 0.3);
 }
 fn gabor_strata_default() -> GaborStrata {
-    return GaborStrata(vec3<f32>(0.5f, 0.22f, 0.09f), vec3<f32>(0.6f, 0.35f, 0.18f), vec3<f32>(0.28f, 0.075f, 0.035f), vec3<f32>(0.74f, 0.58f, 0.4f), 6f, 1f, 1f, 0.9f);
+    return GaborStrata(vec3f(0.50, 0.22, 0.09), vec3f(0.60, 0.35, 0.18), vec3f(0.28, 0.075, 0.035), vec3f(0.74, 0.58, 0.40),
+                       6.0, 1.0, 1.0, 0.9);
 }
 
-fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_wood_default();
-    let _e5 = gabor_wood_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_wood(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_wood_at(p, vec2f(0.0), gabor_wood_default(), seed);
 }
-fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_fabric_default();
-    let _e5 = gabor_fabric_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_fabric(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_fabric_at(p, vec2f(0.0), gabor_fabric_default(), seed);
 }
-fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_leather_default();
-    let _e5 = gabor_leather_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_leather(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_leather_at(p, vec2f(0.0), gabor_leather_default(), seed);
 }
-fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_marble_default();
-    let _e5 = gabor_marble_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_marble(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_marble_at(p, vec2f(0.0), gabor_marble_default(), seed);
 }
-fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_sand_default();
-    let _e5 = gabor_sand_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_sand(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_sand_at(p, vec2f(0.0), gabor_sand_default(), seed);
 }
-fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_brushed_metal_default();
-    let _e5 = gabor_brushed_metal_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_brushed_metal(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_brushed_metal_at(p, vec2f(0.0), gabor_brushed_metal_default(), seed);
 }
-fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_scratches_default();
-    let _e5 = gabor_scratches_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_scratches(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_scratches_at(p, vec2f(0.0), gabor_scratches_default(), seed);
 }
-fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_zebra_default();
-    let _e5 = gabor_zebra_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_zebra(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_zebra_at(p, vec2f(0.0), gabor_zebra_default(), seed);
 }
-fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_bark_default();
-    let _e5 = gabor_bark_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_bark(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_bark_at(p, vec2f(0.0), gabor_bark_default(), seed);
 }
-fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_carbon_fibre_default();
-    let _e5 = gabor_carbon_fibre_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_carbon_fibre(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_carbon_fibre_at(p, vec2f(0.0), gabor_carbon_fibre_default(), seed);
 }
-fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_strata_default();
-    let _e5 = gabor_strata_at(p, vec2(0f), _e4, seed);
-    return _e5;
+fn gabor_strata(p: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_strata_at(p, vec2f(0.0), gabor_strata_default(), seed);
 }
 
-fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_wood_default();
-    let _e7 = gabor_wood_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_wood_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_wood_filtered_at(p, dx, dy, vec2f(0.0), gabor_wood_default(), seed);
 }
-fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_fabric_default();
-    let _e7 = gabor_fabric_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_fabric_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_fabric_filtered_at(p, dx, dy, vec2f(0.0), gabor_fabric_default(), seed);
 }
-fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_leather_default();
-    let _e7 = gabor_leather_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_leather_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_leather_filtered_at(p, dx, dy, vec2f(0.0), gabor_leather_default(), seed);
 }
-fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_marble_default();
-    let _e7 = gabor_marble_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_marble_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_marble_filtered_at(p, dx, dy, vec2f(0.0), gabor_marble_default(), seed);
 }
-fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_sand_default();
-    let _e7 = gabor_sand_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_sand_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_sand_filtered_at(p, dx, dy, vec2f(0.0), gabor_sand_default(), seed);
 }
-fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_brushed_metal_default();
-    let _e7 = gabor_brushed_metal_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_brushed_metal_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_brushed_metal_filtered_at(p, dx, dy, vec2f(0.0), gabor_brushed_metal_default(), seed);
 }
-fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_scratches_default();
-    let _e7 = gabor_scratches_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_scratches_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_scratches_filtered_at(p, dx, dy, vec2f(0.0), gabor_scratches_default(), seed);
 }
-fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_zebra_default();
-    let _e7 = gabor_zebra_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_zebra_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_zebra_filtered_at(p, dx, dy, vec2f(0.0), gabor_zebra_default(), seed);
 }
-fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_bark_default();
-    let _e7 = gabor_bark_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_bark_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_bark_filtered_at(p, dx, dy, vec2f(0.0), gabor_bark_default(), seed);
 }
-fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_carbon_fibre_default();
-    let _e7 = gabor_carbon_fibre_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_carbon_fibre_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_carbon_fibre_filtered_at(p, dx, dy, vec2f(0.0), gabor_carbon_fibre_default(), seed);
 }
-fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_strata_default();
-    let _e7 = gabor_strata_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
+fn gabor_strata_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
+    return gabor_strata_filtered_at(p, dx, dy, vec2f(0.0), gabor_strata_default(), seed);
 }
 

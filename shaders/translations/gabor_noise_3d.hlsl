@@ -1,9 +1,8 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
 // normal distribution at every point.
-//
-// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
 //
@@ -23,6 +22,9 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_NOISE_HLSL
+#include "gabor_noise.hlsl"
+#endif
 #ifndef GABOR_NOISE_3D_HLSL
 #define GABOR_NOISE_3D_HLSL 1
 #ifndef GABOR_NOISE_HLSL

@@ -1,10 +1,9 @@
 // clang-format off
 // Generated from gabor_noise_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
 // normal distribution at every point.
-//
-// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
 //
@@ -24,8 +23,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
+#ifndef GABOR_NOISE_HPP
+#include "gabor_noise.hpp"
+#endif
 #ifndef GABOR_NOISE_3D_HPP
 #define GABOR_NOISE_3D_HPP 1
 #ifndef GABOR_NOISE_HPP

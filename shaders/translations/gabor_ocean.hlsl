@@ -1,8 +1,7 @@
 // Generated from gabor_ocean.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_ocean.hlsl: a sea that never repeats, at any point and time, without textures or state, alike on CPU and GPU.
-//
-// Paste or include this file after gabor_noise.hlsl.
 //
 //     GaborOcean sea = gabor_ocean(12.0);              // a wind of 12 m/s; once per draw, or as a uniform
 //     GaborWater w = gabor_water(p, 60.5, sea, 7u);    // p in metres, after 60.5 seconds
@@ -17,7 +16,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl before gabor_ocean.hlsl
+#include "gabor_noise.hlsl"
 #endif
 #ifndef GABOR_OCEAN_HLSL
 #define GABOR_OCEAN_HLSL 1

@@ -1,9 +1,8 @@
 // clang-format off
 // Generated from gabor_ocean.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_ocean.hpp: a sea that never repeats, at any point and time, without textures or state, alike on CPU and GPU.
-//
-// Paste or include this file after gabor_noise.hpp.
 //
 //     GaborOcean sea = gabor_ocean(12.0);              // a wind of 12 m/s; once per draw, or as a uniform
 //     GaborWater w = gabor_water(p, 60.5, sea, 7u);    // p in metres, after 60.5 seconds
@@ -17,10 +16,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifndef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp before gabor_ocean.hpp
+#include "gabor_noise.hpp"
 #endif
 #ifndef GABOR_OCEAN_HPP
 #define GABOR_OCEAN_HPP 1

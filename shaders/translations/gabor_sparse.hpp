@@ -13,7 +13,9 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifdef GABOR_NOISE_HPP
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions

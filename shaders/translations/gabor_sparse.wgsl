@@ -1,11 +1,11 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e1645468a39a144b.
+// Constants that you may edit: GABOR_SPARSE_GLSL, GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES, GABOR_WINDOW.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
 // every point.
 //
-//     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     f32 v = gabor_unorm(n);                    // in [0, 1], for display
+//     let n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     let v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Use this file for the paper's own noise. The noise of gabor_noise.wgsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
@@ -13,13 +13,29 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 30000u;
+// 10000 major + 100 minor + patch
+const GABOR_NOISE_VERSION: i32 = 30000;
 
 // ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
+// N, the number of impulses per cell: an i32, at least 1.
+const GABOR_IMPULSES: i32 = 1;
+// R, cells per kernel radius: an f32, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
+const GABOR_RADIUS: f32 = 1.0;
+// A, an f32 in [0, 1]: weights have magnitude A or 1, with equal probability.
+const GABOR_WEIGHT_FLOOR: f32 = 0.675;
+// Number of phases, evenly spaced over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
+const GABOR_PHASES: i32 = 256;
+// c of the window q(x) = u^2 (c.x + c.y u + c.z u^2), u = 1 - x^2.
+const GABOR_WINDOW: vec3f = vec3f(3.0, -4.5, 2.5);
+
+// Define GABOR_UNCHECKED as 1 if the macros are constants that #if cannot evaluate.
+const_assert GABOR_IMPULSES >= 1; // GABOR_IMPULSES must be an i32, at least 1
+const_assert !(GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0); // GABOR_PHASES must be a power of two, from 2 to 256
+
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
-// f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// fn gabor_noise(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
@@ -31,70 +47,70 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
 //     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
-// vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec3f
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
 //     variance 1 only at frequencies of 1.5 or more.
 
-// vec2f gabor_phasor(vec2f value)
+// fn gabor_phasor(value: vec2f) -> vec2f
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
 //     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
-// f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
+// fn gabor_noise_tiled(p: vec2f, period: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
 //     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
 //     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
+// fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
 
-// f32 gabor_unorm(f32 noise)
+// fn gabor_unorm(noise: f32) -> f32
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
-    wave: vec2<f32>, // wave vector, cycles per kernel radius
-    amplitude: f32, // K
+    wave: vec2f,          // wave vector, cycles per kernel radius
+    amplitude: f32,       // K
     variance_factor: f32, // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 }
 
 // A position in cells, with a period and a time.
 struct GaborPlace {
-    cell: vec2<i32>, // any integers except the last few before 2^31, where the world wraps around
-    local: vec2<f32>, // offset from that cell's corner in cells, most precise in [0, 1)^2
-    radius: vec2<f32>, // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
-    period: vec2<i32>, // period in cells, 0 for none
-    moment: f32, // time in periods: only its fraction counts
+    cell: vec2i,   // any integers except the last few before 2^31, where the world wraps around
+    local: vec2f,  // offset from that cell's corner in cells, most precise in [0, 1)^2
+    radius: vec2f, // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    period: vec2i, // period in cells, 0 for none
+    moment: f32,   // time in periods: only its fraction counts
 }
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
 struct GaborField {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
+    value: vec2f,
+    slope_x: vec2f,
+    slope_y: vec2f,
 }
 
-// GaborKernel gabor_kernel(f32 frequency, f32 orientation)
+// fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel
 //     The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
 //     calls.
 
-// GaborPlace gabor_place(vec2i cell, vec2f local)
+// fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace
 //     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
 //     axis.
 
-// GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
+// fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 
-// f32 gabor_noise_at(vec2i cell, vec2f local, GaborKernel kernel, u32 seed)
+// fn gabor_noise_at(cell: vec2i, local: vec2f, kernel: GaborKernel, seed: u32) -> f32
 //     The noise at gabor_place(cell, local).
 
 // ====================================================================================================================
@@ -111,186 +127,87 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot: Making Gabor Noise Fast and Normalized, Eurographics 2019.
 
-fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phases: i32, window: vec3<f32>) -> f32 {
-    return (((f32((n + phases)) + r) + a) + window.x);
+fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phases: i32, window: vec3f) -> f32 {
+    return f32(n + phases) + r + a + window.x;
 }
-fn gabor_impl_check_macros() -> f32 {
-    let _e9 = gabor_impl_needs_int_float_float_int_vec3_macros(1i, 1f, 0.675f, 256i, vec3<f32>(3f, -4.5f, 2.5f));
-    return _e9;
+fn gabor_impl_check_macros() -> f32 { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
+// Odd, and spreads consecutive cells over all 32 bits.
+const GABOR_IMPL_CELL_STRIDE: u32 = 0x9e3779b1u;
+
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
 // between the rounds, so that no salt's sequence is a shifted copy of another's.
-fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
-    var word_1: u32;
-    word_1 = word;
-    let _e3 = word_1;
-    let _e4 = word_1;
-    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
-    let _e11 = word_1;
-    let _e12 = word_1;
-    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
-    let _e18 = word_1;
-    let _e19 = word_1;
-    return (_e18 ^ (_e19 >> 15u));
+fn gabor_impl_mix(word_in: u32, salt: u32) -> u32 {
+    var word = word_in;
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    return word ^ (word >> 15u);
 }
 
 // The word of a seed determines the words of the rows of cells, which determine the words of the impulses.
 fn gabor_impl_seed_word(seed: u32) -> u32 {
-    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
-    return _e4;
+    return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
 
 fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
-    let _e6 = gabor_impl_mix(((u32(row) * 2654435761u) + seed_word), seed_word);
-    return _e6;
+    return gabor_impl_mix(u32(row) * GABOR_IMPL_CELL_STRIDE + seed_word, seed_word);
 }
 
 // The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
 // phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading bits of y and trailing bits of
 // x: only offsets in x below 1/256 of a cell depend on y.
 fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
-    var salt_1: u32;
-    salt_1 = (row_word + (u32(index) * 2246822507u));
-    let _e11 = salt_1;
-    let _e13 = salt_1;
-    let _e14 = gabor_impl_mix(((u32(column) * 2654435761u) + _e11), _e13);
-    return _e14;
+    let salt = row_word + u32(index) * 0x85ebca6bu;
+    return gabor_impl_mix(u32(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
 
 // The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
 struct GaborImplImpulse {
-    position_plus_one: vec2<f32>,
-    phase: f32, // phase in turns
+    position_plus_one: vec2f,
+    phase: f32,      // phase in turns
     phase_rate: f32, // turns per unit of time: -4 to -1 or 1 to 4
-    magnitude: f32, // magnitude of the weight
+    magnitude: f32,  // magnitude of the weight
 }
 
 fn gabor_impl_impulse(word: u32) -> GaborImplImpulse {
-    var position_plus_one: vec2<f32>;
-    var rate: f32;
-    var local: f32;
-    var local_1: f32;
-    position_plus_one = vec2<f32>(bitcast<f32>((1065353216u | ((word >> 8u) & 8388607u))), bitcast<f32>((1065353216u | (word & 8388607u))));
-    rate = (f32(((word >> 8u) & 7u)) - 4f);
-    let _e23 = position_plus_one;
-    let _e24 = position_plus_one;
-    let _e32 = rate;
-    if (_e32 < 0f) {
-        let _e35 = rate;
-        local = _e35;
-    } else {
-        let _e36 = rate;
-        local = (_e36 + 1f);
-    }
-    let _e40 = local;
-    if (i32(word) < 0i) {
-        local_1 = 1f;
-    } else {
-        local_1 = 0.675f;
-    }
-    let _e47 = local_1;
-    return GaborImplImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
+    let position_plus_one = vec2f(bitcast<f32>(0x3f800000u | ((word >> 8u) & 0x7fffffu)),
+                                  bitcast<f32>(0x3f800000u | (word & 0x7fffffu)));
+    let rate = f32((word >> 8u) & 7u) - 4.0;
+    return GaborImplImpulse(position_plus_one, fract(position_plus_one.y * (8388608.0 / f32(GABOR_PHASES))),
+                            select(rate + 1.0, rate, rate < 0.0), select(GABOR_WEIGHT_FLOOR, 1.0, i32(word) < 0));
 }
 
 // sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
 // the rounding of t adds to it.
-fn gabor_impl_sine(t: f32) -> f32 {
-    var t_1: f32;
-    var s: f32;
-    var p: f32;
-    t_1 = t;
-    let _e2 = t_1;
-    t_1 = (fract(_e2) - 0.5f);
-    let _e6 = t_1;
-    let _e7 = t_1;
-    s = (_e6 * _e7);
-    let _e11 = s;
-    p = ((12.233303f * _e11) - 38.123196f);
-    let _e16 = p;
-    let _e17 = s;
-    p = ((_e16 * _e17) + 67.0439f);
-    let _e21 = p;
-    let _e22 = s;
-    p = ((_e21 * _e22) - 64.83468f);
-    let _e26 = p;
-    let _e27 = s;
-    p = ((_e26 * _e27) + 25.13273f);
-    let _e31 = t_1;
-    let _e32 = s;
-    let _e36 = p;
-    return ((_e31 * (_e32 - 0.25f)) * _e36);
+fn gabor_impl_sine(t_in: f32) -> f32 {
+    var t = t_in;
+    t = fract(t) - 0.5;
+    let s = t * t;
+    var p = 12.233303 * s - 38.123196;
+    p = p * s + 67.0439;
+    p = p * s - 64.83468;
+    p = p * s + 25.13273;
+    return t * (s - 0.25) * p;
 }
 
 // The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
 // minimax polynomials give the sine and cosine of the rest.
-fn gabor_impl_direction(angle: f32) -> vec2<f32> {
-    var quarter: f32;
-    var r_1: f32;
-    var local_2: f32;
-    var s_1: f32;
-    var sine: f32;
-    var cosine: f32;
-    var local_3: vec2<f32>;
-    var axis: vec2<f32>;
-    var local_4: vec2<f32>;
-    quarter = floor(((angle * 0.63661975f) + 0.5f));
-    let _e7 = quarter;
-    r_1 = (angle - (_e7 * 1.5703125f));
-    let _e12 = r_1;
-    let _e13 = quarter;
-    r_1 = (_e12 - (_e13 * 0.0004837513f));
-    let _e17 = r_1;
-    let _e18 = quarter;
-    r_1 = (_e17 - (_e18 * 0.0000000754979f));
-    let _e22 = r_1;
-    if (abs(_e22) < 1f) {
-        let _e26 = r_1;
-        local_2 = _e26;
-    } else {
-        local_2 = 0f;
-    }
-    let _e29 = local_2;
-    r_1 = _e29;
-    let _e30 = r_1;
-    let _e31 = r_1;
-    s_1 = (_e30 * _e31);
-    let _e34 = r_1;
-    let _e35 = r_1;
-    let _e36 = s_1;
-    let _e40 = s_1;
-    let _e42 = s_1;
-    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
-    let _e53 = s_1;
-    let _e56 = s_1;
-    let _e57 = s_1;
-    let _e60 = s_1;
-    let _e63 = s_1;
-    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
-    let _e73 = quarter;
-    if (fract((0.5f * _e73)) < 0.25f) {
-        let _e78 = cosine;
-        let _e79 = sine;
-        local_3 = vec2<f32>(_e78, _e79);
-    } else {
-        let _e81 = sine;
-        let _e83 = cosine;
-        local_3 = vec2<f32>(-(_e81), _e83);
-    }
-    let _e86 = local_3;
-    axis = _e86;
-    let _e89 = quarter;
-    if (fract((0.25f * _e89)) < 0.375f) {
-        let _e94 = axis;
-        local_4 = _e94;
-    } else {
-        let _e95 = axis;
-        local_4 = -(_e95);
-    }
-    let _e98 = local_4;
-    return _e98;
+fn gabor_impl_direction(angle: f32) -> vec2f {
+    let quarter = floor(angle * 0.63661977 + 0.5);
+    var r = angle - quarter * 1.5703125;
+    r -= quarter * 4.837512969970703e-4;
+    r -= quarter * 7.549789948768648e-8;
+    r = select(0.0, r, abs(r) < 1.0); // far outside the range, no digits are left and the direction is arbitrary
+    let s = r * r;
+    let sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
+    let cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
+    let axis = select(vec2f(-sine, cosine), vec2f(cosine, sine), fract(0.5 * quarter) < 0.25);
+    return select(-axis, axis, fract(0.25 * quarter) < 0.375);
 }
 
 // ---- Normalization -------------------------------------------------------------------------------------------------
@@ -299,34 +216,17 @@ fn gabor_impl_direction(angle: f32) -> vec2<f32> {
 // Bessel function (Poisson's integral, DLMF 10.54.1). GaborImplEnergy holds the five c_n I_n and their sum, the
 // integral of q^2.
 struct GaborImplEnergy {
-    e4567_: vec4<f32>,
-    e8_: f32,
+    e4567: vec4f,
+    e8: f32,
     sum: f32,
 }
 
 fn gabor_impl_energy() -> GaborImplEnergy {
-    var c: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
-    var e4567_: vec4<f32>;
-    var e8_: f32;
-    let _e19 = c;
-    let _e21 = c;
-    let _e25 = c;
-    let _e28 = c;
-    let _e31 = c;
-    let _e33 = c;
-    let _e37 = c;
-    let _e40 = c;
-    let _e45 = c;
-    let _e48 = c;
-    e4567_ = (vec4<f32>(0.8126984f, 0.73881674f, 0.68198466f, 0.636519f) * vec4<f32>((_e19.x * _e21.x), ((2f * _e25.x) * _e28.y), ((_e31.y * _e33.y) + ((2f * _e37.x) * _e40.z)), ((2f * _e45.y) * _e48.z)));
-    let _e54 = c;
-    let _e56 = c;
-    e8_ = ((_e54.z * _e56.z) * 0.59907675f);
-    let _e64 = e4567_;
-    let _e65 = e8_;
-    let _e66 = e4567_;
-    let _e70 = e8_;
-    return GaborImplEnergy(_e64, _e65, (dot(_e66, vec4(1f)) + _e70));
+    let c = GABOR_WINDOW;
+    let e4567 = vec4f(256.0 / 315.0, 512.0 / 693.0, 2048.0 / 3003.0, 4096.0 / 6435.0)
+               * vec4f(c.x * c.x, 2.0 * c.x * c.y, c.y * c.y + 2.0 * c.x * c.z, 2.0 * c.y * c.z);
+    let e8 = c.z * c.z * (65536.0 / 109395.0);
+    return GaborImplEnergy(e4567, e8, dot(e4567, vec4f(1.0)) + e8);
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
@@ -335,490 +235,172 @@ fn gabor_impl_energy() -> GaborImplEnergy {
 // L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 fn gabor_impl_relative_energy(k: f32, energy: GaborImplEnergy) -> f32 {
-    var a_1: f32;
-    var z: f32;
-    var d4567_: vec4<f32>;
-    var d78_: vec2<f32> = vec2(0f);
-    var term: vec2<f32> = vec2(1f);
-    var i: i32 = 1i;
-    var d6_: f32;
-    var d5_: f32;
-    var y: f32;
-    var l0_: f32;
-    var l1_: f32;
-    var l2_: f32;
-    var l3_: f32;
-    var l: vec4<f32>;
-    a_1 = (12.566371f * k);
-    let _e5 = a_1;
-    let _e6 = a_1;
-    z = (_e5 * _e6);
-    let _e13 = z;
-    if (_e13 < 64f) {
-        {
-            loop {
-                let _e21 = i;
-                if !((_e21 <= 14i)) {
-                    break;
-                }
-                {
-                    let _e28 = term;
-                    let _e31 = z;
-                    let _e33 = i;
-                    let _e35 = i;
-                    term = (_e28 * (vec2((-0.25f * _e31)) / (f32(_e33) * (vec2(f32(_e35)) + vec2<f32>(7.5f, 8.5f)))));
-                    let _e46 = d78_;
-                    let _e47 = term;
-                    d78_ = (_e46 - _e47);
-                }
-                continuing {
-                    let _e25 = i;
-                    i = (_e25 + 1i);
-                }
-            }
-            let _e49 = d78_;
-            let _e51 = z;
-            let _e53 = d78_;
-            d6_ = (_e49.x + ((_e51 * (1f - _e53.y)) * 0.003921569f));
-            let _e63 = d6_;
-            let _e64 = z;
-            let _e66 = d78_;
-            d5_ = (_e63 + ((_e64 * (1f - _e66.x)) * 0.0051282053f));
-            let _e76 = d5_;
-            let _e77 = z;
-            let _e79 = d6_;
-            let _e87 = d5_;
-            let _e88 = d6_;
-            let _e89 = d78_;
-            d4567_ = vec4<f32>((_e76 + ((_e77 * (1f - _e79)) * 0.006993007f)), _e87, _e88, _e89.x);
+    let a = 12.566371 * k;
+    let z = a * a;
+    var d4567: vec4f;
+    var d78 = vec2f(0.0);
+    if (z < 64.0) {
+        var term = vec2f(1.0);
+        for (var i = 1; i <= 14; i++) {
+            term *= -0.25 * z / (f32(i) * (f32(i) + vec2f(7.5, 8.5)));
+            d78 -= term;
         }
+        let d6 = d78.x + z * (1.0 - d78.y) * (1.0 / 255.0);
+        let d5 = d6 + z * (1.0 - d78.x) * (1.0 / 195.0);
+        d4567 = vec4f(d5 + z * (1.0 - d6) * (1.0 / 143.0), d5, d6, d78.x);
     } else {
-        {
-            let _e93 = z;
-            y = (1f / _e93);
-            let _e98 = gabor_impl_sine((2f * k));
-            let _e99 = a_1;
-            l0_ = (_e98 / _e99);
-            let _e103 = y;
-            let _e105 = l0_;
-            let _e110 = gabor_impl_sine(((2f * k) + 0.25f));
-            l1_ = ((3f * _e103) * (_e105 - _e110));
-            let _e115 = y;
-            let _e117 = l1_;
-            let _e118 = l0_;
-            l2_ = ((15f * _e115) * (_e117 - _e118));
-            let _e123 = y;
-            let _e125 = l2_;
-            let _e126 = l1_;
-            l3_ = ((35f * _e123) * (_e125 - _e126));
-            let _e133 = y;
-            let _e135 = l3_;
-            let _e136 = l2_;
-            l.x = ((63f * _e133) * (_e135 - _e136));
-            let _e141 = y;
-            let _e143 = l;
-            let _e145 = l3_;
-            l.y = ((99f * _e141) * (_e143.x - _e145));
-            let _e150 = y;
-            let _e152 = l;
-            let _e154 = l;
-            l.z = ((143f * _e150) * (_e152.y - _e154.x));
-            let _e160 = y;
-            let _e162 = l;
-            let _e164 = l;
-            l.w = ((195f * _e160) * (_e162.z - _e164.y));
-            let _e171 = y;
-            let _e173 = l;
-            let _e175 = l;
-            d78_.y = (1f - ((255f * _e171) * (_e173.w - _e175.z)));
-            let _e181 = l;
-            d4567_ = (vec4(1f) - _e181);
-        }
+        let y = 1.0 / z;
+        let l0 = gabor_impl_sine(2.0 * k) / a;
+        let l1 = 3.0 * y * (l0 - gabor_impl_sine(2.0 * k + 0.25));
+        let l2 = 15.0 * y * (l1 - l0);
+        let l3 = 35.0 * y * (l2 - l1);
+        var l: vec4f;
+        l.x = 63.0 * y * (l3 - l2);
+        l.y = 99.0 * y * (l.x - l3);
+        l.z = 143.0 * y * (l.y - l.x);
+        l.w = 195.0 * y * (l.z - l.y);
+        d78.y = 1.0 - 255.0 * y * (l.w - l.z);
+        d4567 = 1.0 - l;
     }
-    let _e185 = d4567_;
-    let _e188 = d78_;
-    return ((dot(energy.e4567_, _e185) + (energy.e8_ * _e188.y)) / energy.sum);
+    return (dot(energy.e4567, d4567) + energy.e8 * d78.y) / energy.sum;
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
 // The window q along one axis, which is 0 for |x| >= 1, and its derivative.
-fn gabor_impl_window(x: f32) -> vec2<f32> {
-    var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
-    var u: f32;
-    u = max((1f - (x * x)), 0f);
-    let _e13 = u;
-    let _e14 = u;
-    let _e16 = c_1;
-    let _e18 = u;
-    let _e19 = c_1;
-    let _e21 = u;
-    let _e22 = c_1;
-    let _e32 = u;
-    let _e35 = c_1;
-    let _e38 = u;
-    let _e40 = c_1;
-    let _e43 = u;
-    let _e45 = c_1;
-    return vec2<f32>(((_e13 * _e14) * (_e16.x + (_e18 * (_e19.y + (_e21 * _e22.z))))), (((-2f * x) * _e32) * ((2f * _e35.x) + (_e38 * ((3f * _e40.y) + (_e43 * (4f * _e45.z)))))));
+fn gabor_impl_window(x: f32) -> vec2f {
+    let c = GABOR_WINDOW;
+    let u = max(1.0 - x * x, 0.0);
+    return vec2f(u * u * (c.x + u * (c.y + u * c.z)), -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z))));
 }
 
 // Wraps a cell's coordinate into a period.
-fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
-    var cell_1: i32;
-    cell_1 = cell;
-    if (period != 0i) {
-        {
-            let _e5 = cell_1;
-            let _e6 = cell_1;
-            cell_1 = (_e5 - ((_e6 / max(period, 1i)) * period));
-            let _e12 = cell_1;
-            if (_e12 < 0i) {
-                let _e15 = cell_1;
-                cell_1 = (_e15 + period);
-            }
-        }
+fn gabor_impl_wrap(cell_in: i32, period: i32) -> i32 {
+    var cell = cell_in;
+    if (period != 0) {
+        cell -= cell / max(period, 1) * period; // FXC refuses a division by 0, even one that never runs
+        if (cell < 0) { cell += period; }
     }
-    let _e17 = cell_1;
-    return _e17;
+    return cell;
 }
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
-    var sines: vec4<f32>;
-    var u_1: f32;
-    if (true || (moment == 0f)) {
-        return 1f;
+    if (GABOR_PHASES != 2 || moment == 0.0) {
+        return 1.0;
     }
-    let _e9 = gabor_impl_sine(moment);
-    let _e12 = gabor_impl_sine((2f * moment));
-    let _e15 = gabor_impl_sine((3f * moment));
-    let _e18 = gabor_impl_sine((4f * moment));
-    sines = vec4<f32>(_e9, _e12, _e15, _e18);
-    let _e22 = sines;
-    let _e23 = sines;
-    u_1 = (0.5f * dot(_e22, _e23));
-    let _e28 = u_1;
-    return inverseSqrt((1f + ((_e28 * (1f - kernel.variance_factor)) / kernel.variance_factor)));
+    let sines = vec4f(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
+                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
+    let u = 0.5 * dot(sines, sines);
+    return inverseSqrt(1.0 + u * (1.0 - kernel.variance_factor) / kernel.variance_factor);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
+fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace {
+    return GaborPlace(cell, local, vec2f(GABOR_RADIUS), vec2i(0), 0.0);
 }
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    var local_6: f32;
-    var wave: vec2<f32>;
-    var energy_1: GaborImplEnergy;
-    var density: f32 = 1f;
-    var power: f32 = 0.7278125f;
-    var amplitude: f32;
-    var x_1: f32;
-    var y_1: f32;
-    var variance_factor: f32;
-    if (abs(frequency) > 0.000001f) {
-        local_6 = abs(frequency);
-    } else {
-        local_6 = 0.000001f;
+    let wave = min(select(1.0e-6, abs(frequency), abs(frequency) > 1.0e-6), 1.0e6) * gabor_impl_direction(orientation);
+    let energy = gabor_impl_energy();
+    let density = f32(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    let power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
+    let amplitude = inverseSqrt(0.5 * density * power * energy.sum * energy.sum);
+    if (GABOR_PHASES != 2) {
+        return GaborKernel(wave, amplitude, 1.0);
     }
-    let _e8 = local_6;
-    let _e11 = gabor_impl_direction(orientation);
-    wave = (min(_e8, 1000000f) * _e11);
-    let _e14 = gabor_impl_energy();
-    energy_1 = _e14;
-    let _e32 = density;
-    let _e34 = power;
-    let _e36 = energy_1;
-    let _e39 = energy_1;
-    amplitude = inverseSqrt(((((0.5f * _e32) * _e34) * _e36.sum) * _e39.sum));
-    if true {
-        let _e47 = wave;
-        let _e48 = amplitude;
-        return GaborKernel(_e47, _e48, 1f);
-    }
-    let _e51 = wave;
-    let _e53 = energy_1;
-    let _e54 = gabor_impl_relative_energy(_e51.x, _e53);
-    x_1 = _e54;
-    let _e56 = wave;
-    let _e58 = energy_1;
-    let _e59 = gabor_impl_relative_energy(_e56.y, _e58);
-    y_1 = _e59;
-    let _e61 = x_1;
-    let _e62 = y_1;
-    let _e64 = x_1;
-    let _e65 = y_1;
-    variance_factor = ((_e61 + _e62) - (_e64 * _e65));
-    let _e69 = wave;
-    let _e70 = amplitude;
-    let _e71 = variance_factor;
-    let _e74 = variance_factor;
-    return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
+    let x = gabor_impl_relative_energy(wave.x, energy);
+    let y = gabor_impl_relative_energy(wave.y, energy);
+    let variance_factor = x + y - x * y;
+    return GaborKernel(wave, amplitude * inverseSqrt(variance_factor), variance_factor);
 }
 
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var visited: i32 = 3i;
-    var whole: vec2<f32>;
-    var local_7: vec2<f32>;
-    var first: vec2<f32>;
-    var cell_3: vec2<i32>;
-    var cell_side: vec2<f32>;
-    var moment_1: f32;
-    var seed_word_1: u32;
-    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-    var j: i32 = 0i;
-    var row_word_1: u32;
-    var i_1: i32;
-    var column_1: i32;
-    var k_1: i32;
-    var word_3: u32;
-    var impulse: GaborImplImpulse;
-    var d: vec2<f32>;
-    var turns: f32;
-    var x_2: vec2<f32>;
-    var y_2: vec2<f32>;
-    var wave_1: vec2<f32>;
-    var turned: vec2<f32>;
-    var scale: f32;
-    whole = floor(place.local);
-    let _e15 = whole;
-    local_7 = clamp((place.local - _e15), vec2(0f), vec2(1f));
-    let _e23 = local_7;
-    first = floor((_e23 - place.radius));
-    let _e29 = whole;
-    let _e30 = first;
-    cell_3 = (place.cell + vec2<i32>((_e29 + _e30)));
-    let _e35 = first;
-    first = (_e35 - vec2(1f));
-    cell_side = (vec2(1f) / place.radius);
-    moment_1 = fract(place.moment);
-    let _e47 = gabor_impl_seed_word(seed);
-    seed_word_1 = _e47;
-    loop {
-        let _e59 = j;
-        let _e60 = visited;
-        if !((_e59 < _e60)) {
-            break;
-        }
-        {
-            let _e66 = cell_3;
-            let _e68 = j;
-            let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
-            let _e73 = seed_word_1;
-            let _e74 = gabor_impl_row_word(_e72, _e73);
-            row_word_1 = _e74;
-            i_1 = 0i;
-            loop {
-                let _e78 = i_1;
-                let _e79 = visited;
-                if !((_e78 < _e79)) {
-                    break;
-                }
-                {
-                    let _e85 = cell_3;
-                    let _e87 = i_1;
-                    let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
-                    column_1 = _e91;
-                    k_1 = 0i;
-                    loop {
-                        let _e95 = k_1;
-                        if !((_e95 < 1i)) {
-                            break;
-                        }
-                        {
-                            let _e102 = column_1;
-                            let _e103 = row_word_1;
-                            let _e104 = k_1;
-                            let _e105 = gabor_impl_impulse_word(_e102, _e103, _e104);
-                            word_3 = _e105;
-                            let _e107 = word_3;
-                            let _e108 = gabor_impl_impulse(_e107);
-                            impulse = _e108;
-                            let _e110 = local_7;
-                            let _e111 = impulse;
-                            let _e113 = first;
-                            let _e114 = i_1;
-                            let _e116 = j;
-                            let _e122 = cell_side;
-                            d = ((_e110 - (_e111.position_plus_one + (_e113 + vec2<f32>(f32(_e114), f32(_e116))))) * _e122);
-                            let _e125 = d;
-                            let _e128 = d;
-                            if (max(abs(_e125.x), abs(_e128.y)) < 1f) {
-                                {
-                                    let _e135 = d;
-                                    let _e137 = impulse;
-                                    let _e140 = impulse;
-                                    let _e142 = moment_1;
-                                    turns = ((dot(kernel.wave, _e135) + _e137.phase) + (_e140.phase_rate * _e142));
-                                    let _e146 = d;
-                                    let _e148 = gabor_impl_window(_e146.x);
-                                    x_2 = _e148;
-                                    let _e150 = d;
-                                    let _e152 = gabor_impl_window(_e150.y);
-                                    y_2 = _e152;
-                                    let _e154 = impulse;
-                                    let _e156 = turns;
-                                    let _e159 = gabor_impl_sine((_e156 + 0.25f));
-                                    let _e160 = turns;
-                                    let _e161 = gabor_impl_sine(_e160);
-                                    wave_1 = (_e154.magnitude * vec2<f32>(_e159, _e161));
-                                    let _e166 = x_2;
-                                    let _e169 = y_2;
-                                    let _e172 = wave_1;
-                                    let _e175 = wave_1;
-                                    turned = (((6.2831855f * _e166.x) * _e169.x) * vec2<f32>(-(_e172.y), _e175.x));
-                                    let _e181 = sum;
-                                    let _e183 = x_2;
-                                    let _e185 = y_2;
-                                    let _e188 = wave_1;
-                                    sum.value = (_e181.value + ((_e183.x * _e185.x) * _e188));
-                                    let _e192 = sum;
-                                    let _e194 = x_2;
-                                    let _e196 = y_2;
-                                    let _e199 = wave_1;
-                                    let _e203 = turned;
-                                    sum.slope_x = (_e192.slope_x + (((_e194.y * _e196.x) * _e199) + (kernel.wave.x * _e203)));
-                                    let _e208 = sum;
-                                    let _e210 = y_2;
-                                    let _e212 = x_2;
-                                    let _e215 = wave_1;
-                                    let _e219 = turned;
-                                    sum.slope_y = (_e208.slope_y + (((_e210.y * _e212.x) * _e215) + (kernel.wave.y * _e219)));
-                                }
-                            }
-                        }
-                        continuing {
-                            let _e99 = k_1;
-                            k_1 = (_e99 + 1i);
-                        }
-                    }
-                }
-                continuing {
-                    let _e82 = i_1;
-                    i_1 = (_e82 + 1i);
+    let visited = i32(ceil(2.0 * GABOR_RADIUS)) + 1;
+    let whole = floor(place.local);
+    let local = clamp(place.local - whole, vec2f(0.0), vec2f(1.0)); // the clamp matters only if a compiler fuses this with a product
+    var first = floor(local - place.radius);
+    let cell = place.cell + vec2i(whole + first);
+    first -= 1.0; // undoes the 1 of position_plus_one
+    let cell_side = 1.0 / place.radius;
+    let moment = fract(place.moment);
+    let seed_word = gabor_impl_seed_word(seed);
+    var sum = GaborField(vec2f(0.0), vec2f(0.0), vec2f(0.0));
+    for (var j = 0; j < visited; j++) {
+        let row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
+        for (var i = 0; i < visited; i++) {
+            let column = gabor_impl_wrap(cell.x + i, place.period.x);
+            for (var k = 0; k < GABOR_IMPULSES; k++) {
+                let word = gabor_impl_impulse_word(column, row_word, k);
+                let impulse = gabor_impl_impulse(word);
+                // The sum in the inner brackets is exact, so only one rounding remains.
+                let d = (local - (impulse.position_plus_one + (first + vec2f(f32(i), f32(j))))) * cell_side;
+                // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
+                // registers.
+                if (max(abs(d.x), abs(d.y)) < 1.0) {
+                    let turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * moment;
+                    let x = gabor_impl_window(d.x);
+                    let y = gabor_impl_window(d.y);
+                    let wave = impulse.magnitude * vec2f(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
+                    // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
+                    let turned = (6.2831853 * x.x * y.x) * vec2f(-wave.y, wave.x);
+                    sum.value += (x.x * y.x) * wave;
+                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
+                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
                 }
             }
         }
-        continuing {
-            let _e63 = j;
-            j = (_e63 + 1i);
-        }
     }
-    let _e233 = moment_1;
-    let _e234 = gabor_impl_phase_gain(kernel, _e233);
-    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e234);
-    let _e237 = scale;
-    let _e238 = sum;
-    let _e241 = scale;
-    let _e242 = sum;
-    let _e245 = scale;
-    let _e246 = sum;
-    return GaborField((_e237 * _e238.value), (_e241 * _e242.slope_x), (_e245 * _e246.slope_y));
+    // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
+    let scale = kernel.amplitude * GABOR_RADIUS * inverseSqrt(place.radius.x * place.radius.y)
+                * gabor_impl_phase_gain(kernel, moment);
+    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    let _e4 = gabor_place(cell, local);
-    let _e5 = gabor_field(_e4, kernel, seed);
-    return _e5.value.y;
+fn gabor_noise_at(cell: vec2i, local: vec2f, kernel: GaborKernel, seed: u32) -> f32 {
+    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
 }
 
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e8 = gabor_kernel(frequency, orientation);
-    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
-    return _e9;
+fn gabor_noise(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    return gabor_noise_at(vec2i(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    field = _e10;
-    let _e12 = field;
-    let _e15 = field;
-    let _e18 = field;
-    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
+fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec3f {
+    let field = gabor_field(gabor_place(vec2i(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
+    return vec3f(field.value.y, field.slope_x.y, field.slope_y.y);
 }
 
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    return _e10.value;
+fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
+    return gabor_field(gabor_place(vec2i(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
 }
 
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_9: f32;
-    var phase: f32;
-    var local_10: f32;
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_9 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_9 = 0f;
-    }
-    let _e13 = local_9;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_10 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_10 = _e23;
-    }
-    let _e25 = local_10;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
+fn gabor_phasor(value: vec2f) -> vec2f {
+    let intensity = length(value);
+    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0);
+    return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity);
 }
 
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var period_2: vec2<f32>;
-    var cells: vec2<f32>;
-    var radius: vec2<f32>;
-    var within: vec2<f32>;
-    var place_1: GaborPlace;
-    period_2 = period;
-    let _e6 = period_2;
-    period_2 = max(_e6, vec2(2f));
-    let _e10 = period_2;
-    cells = floor((_e10 * 1f));
-    let _e15 = cells;
-    let _e16 = period_2;
-    radius = (_e15 / _e16);
-    let _e19 = period_2;
-    let _e22 = period_2;
-    within = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within;
-    let _e29 = radius;
-    let _e31 = radius;
-    let _e32 = cells;
-    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
-    let _e37 = place_1;
-    let _e38 = gabor_kernel(frequency, orientation);
-    let _e39 = gabor_field(_e37, _e38, seed);
-    return _e39.value.y;
+fn gabor_noise_tiled(p: vec2f, period_in: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var period = period_in;
+    period = max(period, vec2f(2.0));
+    let cells = floor(period * GABOR_RADIUS);
+    let radius = cells / period;
+    let within = p - floor(p / period) * period;
+    let place = GaborPlace(vec2i(0), within * radius, radius, vec2i(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
-    let _e9 = gabor_place(vec2(0i), (p * 1f));
-    place_2 = _e9;
-    place_2.moment = moment;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
+fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place = gabor_place(vec2i(0), p * GABOR_RADIUS);
+    place.moment = moment;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
 fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+    return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 

@@ -1,8 +1,7 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
+// Includes gabor_noise.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_spectrum.hlsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
-//
-// Paste or include this file after gabor_noise.hlsl.
 //
 //     float n = gabor_noise_isotropic(p, 2.0, 7u);   // waves in all directions: mean 0, variance 1
 //
@@ -19,7 +18,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl before gabor_spectrum.hlsl
+#include "gabor_noise.hlsl"
 #endif
 #ifndef GABOR_SPECTRUM_HLSL
 #define GABOR_SPECTRUM_HLSL 1

@@ -1,9 +1,8 @@
 // clang-format off
 // Generated from gabor_spectrum.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+// Includes gabor_noise.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_spectrum.hpp: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
-//
-// Paste or include this file after gabor_noise.hpp.
 //
 //     float n = gabor_noise_isotropic(p, 2.0, 7u);   // waves in all directions: mean 0, variance 1
 //
@@ -19,10 +18,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#ifndef GABOR_VECTORS_HPP
 #include "gabor_vectors.hpp"
+#endif
 
 #ifndef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp before gabor_spectrum.hpp
+#include "gabor_noise.hpp"
 #endif
 #ifndef GABOR_SPECTRUM_HPP
 #define GABOR_SPECTRUM_HPP 1

@@ -74,7 +74,7 @@ SNIPPETS = [
      "u ^= (u << 3u) | (u >> 1u) & ~2u;\nreturn float(clamp(i, -2, 2)) + float(u % 7u) + float(v.x * 100 + v.y);",
      lambda x: (lambda i, u: min(max(i, -2), 2) + (u ^ (u << 3 | u >> 1 & ~2)) % 7 + max(abs(i), 1) % 3 * 100 + max(i, 1) % 3)(
          math.floor(x), math.floor(x) + 8)),
-    ("the rest of a vector by a number", "ivec2 v = ivec2(floor(vec2(x + 8.0))) % 3; return float(v.x);", lambda x: math.floor(x + 8) % 3, {"wgsl": ":1: naga: error: Function"}),
+    ("the rest of a vector by a number", "ivec2 v = ivec2(floor(vec2(x + 8.0))) % 3; return float(v.x);", lambda x: math.floor(x + 8) % 3),
     ("bits of a vector and a number", "ivec2 v = ivec2(floor(vec2(x + 8.0))) & 3; return float(v.x);", lambda x: math.floor(x + 8) & 3),
     ("bits of a vector", "return uintBitsToFloat(uvec2(1065353216u, 1073741824u)).y * x;", lambda x: 2 * x),
     ("functions of vectors", "vec3 v = vec3(vec2(sign(x), 2.0).xx, x < 0.0 ? -1.0 : 1.0);\nreturn dot(v.yy, vec2(1.0)) + length(vec4(v, 1.0)) + distance(v.xy, vec2(2.0));",
@@ -82,11 +82,95 @@ SNIPPETS = [
     ("constructors", "vec4 v = vec4(x, vec2(1.0, 2.0), 3.0); return dot(v, vec4(1.0, 2.0, vec2(3.0))) + vec3(x, v.yz).z + float(uint(true));", lambda x: x + 2 + 6 + 9 + 2 + 1),
     ("four components", "return vec4(x, 1.0, 2.0, 3.0).wzyx.w;", lambda x: x, {"hpp": ":1: .wzyx, which", "metal": None}),
 ]
-# What all languages refuse: GLSL that glslangValidator finds wrong, and GLSL that some language lacks.
+# What WGSL writes differently and no drop-in has, with its value or the reason of the refusal.
+WGSL = [
+    ("numbers beside vectors in functions", "vec3 v = min(max(vec3(x, 2.0, -1.0), 0.0), 1.5);\n"
+     "return v.x + 10.0 * clamp(v, 0.25, 1.0).y + mix(v, vec3(4.0), 0.5).z + smoothstep(-4.0, 4.0, vec2(x)).x + step(0.5, vec2(x)).y;",
+     lambda x: min(max(x, 0), 1.5) + 12 + (lambda t: t * t * (3 - 2 * t))((x + 4) / 8) + (x >= 0.5)),
+    ("whole numbers beside vectors", "ivec2 v = max(clamp(ivec2(int(floor(x)), 3), -2, 2), -1); return float(v.x + 10 * v.y);",
+     lambda x: max(min(max(math.floor(x), -2), 2), -1) + 20),
+    ("a choice of vectors", "vec2 v = x > 0.0 ? vec2(x) : vec2(1.0, 2.0); return v.x + 10.0 * v.y;", lambda x: 11 * x if x > 0 else 21),
+    ("a choice that guards a division", "int n = int(floor(x)); return float(n == 0 ? 7 : 12 / n);", lambda x: 7 if 0 <= x < 1 else int(12 / math.floor(x))),
+    ("a choice over lines", "return x < 0.0 ? -1.0 // below\n                : x > 2.0\n                ? 1.0 /* above */ : 0.0;",
+     lambda x: -1 if x < 0 else 1 if x > 2 else 0),
+    ("continue before a test at the end", "int i = 0; do { ++i; if (i == 2) continue; x += float(i); } while (i < 4); return x;", lambda x: x + 8),
+    ("-- in a test at the end", "int k = 4; do x += 1.0; while (--k > 0); return x;", lambda x: x + 4),
+    ("a loop without parts", "int i = 0; for (;;) { if (i == 3) break; i++; } while (i < 9) { i += 2; } return x + float(i);", lambda x: x + 9),
+    ("else after two conditions", "if (x > 0.0) if (x > 1.0) return 3.0; else return 2.0; return 1.0;", lambda x: 3 if x > 1 else 2 if x > 0 else 1),
+    ("else over lines", "\nif (x > 1.0) // large\n    x = 1.0;\nelse if (x > 0.0)\n    x = 2.0;\nelse // small\n    for (int i = 0; i < 2; ++i)\n        x = 3.0 - x;\nreturn x;",
+     lambda x: 1 if x > 1 else 2 if x > 0 else x),
+    ("loops with variables of one name", "for (int i = 0; i < 2; ++i) x += 1.0; for (uint i = 0u; i < 3u; i++) x += float(i); return x;", lambda x: x + 5),
+    ("a variable that starts as the one it hides", "float t = x; { float t = t + 1.0; x += t; } return x + t;", lambda x: 3 * x + 1),
+    ("signs", "return +x - -x + -(-x) - - x;", lambda x: 4 * x),
+    ("a negative unsigned number", "uint u = 3u; uvec2 v = -uvec2(u, 5u); return x + float(-u >> 30u) + float(v.y >> 29u);", lambda x: x + 3 + 7),
+    ("shifts by signed numbers", "int n = 2; uvec2 v = uvec2(5u, 9u) << n; ivec2 w = ivec2(-16, 16) >> 2;\n"
+     "return x + float(v.x + v.y) + float(w.x + w.y * 10) + float(ivec2(n) << ivec2(1, n) >> 1);".replace("float(ivec2(n) << ivec2(1, n) >> 1)", "float((ivec2(n) << ivec2(1, n) >> 1).y)"),
+     lambda x: x + 56 + 36 + 4),
+    ("bits without parentheses", "int a = 12, b = 10; return x + float(a & b | a ^ b + 1) + float(a + b << 1 & 63) + float(a & b & 9);", lambda x: x + 15 + 44 + 8),
+    ("&& beside ||", "bool a = x > 0.0, b = x > 1.0, c = x < 2.0; return a && b || c && !a ? 1.0 : 2.0;", lambda x: 1 if x > 1 or x < 0 else 2),
+    ("comparisons of comparisons", "return x > 0.0 == x > -1.0 ? 1.0 : 2.0;", lambda x: 2 if -1 < x < 0 else 1),
+    ("bits with an assignment", "uvec2 v = uvec2(12u, 10u); v &= 6u; v <<= 1; v ^= uvec2(1u, 2u); int k = 7; k %= 4; k |= 8;\n"
+     "return x + float(v.x + 100u * v.y) + float(k);", lambda x: x + 609 + 11),
+    ("constructors that convert", "int i = 3; vec3 v = vec3(i, x, true); ivec2 w = ivec2(2.75, -2.75); uvec2 u = uvec2(i, 7);\n"
+     "return v.x + v.y + v.z + float(w.x * 10 + w.y) + float(u.x + u.y) + float(bool(i)) + vec2(i).y;", lambda x: x + 3 + 1 + 18 + 10 + 1 + 3),
+    ("32 bits", "uint u = uint(-1); int i = 0xffffffff; return x + float(u >> 28u) + float(i) + (2147483647 + 1 < 0 ? 5.0 : 6.0) + float(uvec2(-1, 1).x >> 31u);",
+     lambda x: x + 15 - 1 + 5 + 1),
+    ("kinds of numbers", "return x + float(010 + 0X1F) + 1.F + 2.0f + float(017u - 0xAU);", lambda x: x + 8 + 31 + 3 + 5),
+    ("a constant as a length", "const int n = 3; float a[n + 1]; for (int i = 0; i < n; ++i) a[i] = x * float(i); return a[n - 1];", lambda x: 2 * x),
+    ("an element of a parameter", "struct TryRow { float node[3]; vec3 v; };\nfloat try_f(TryRow row, int i) { return row.node[i] + row.v[i]; }\n"
+     "float try_value(float x) { TryRow row; row.node[2] = x; row.v = vec3(0.0, 1.0, 2.0); int i = 2; row.v[i] += 1.0; return try_f(row, i); }", lambda x: x + 3),
+    ("a name that a changed parameter would get", "float try_f(float v, float v_in) { v += v_in; return v; }\nfloat try_value(float x) { return try_f(x, 2.0); }", lambda x: x + 2),
+    ("names of WGSL's", "struct TryPair { float array; float ptr; };\nfloat try_f(float let, inout float fn) { fn += let; return fn; }\n"
+     "float try_value(float x) { float select = x > 0.0 ? 1.0 : 2.0, f32 = 3.0; vec2 vec2f = max(vec2(x, f32), 0.5);\n"
+     "TryPair loop = TryPair(vec2f.y, 4.0); loop.ptr += try_f(select, f32); return loop.array + loop.ptr + f32; }", lambda x: 3 + 4 + 2 * (3 + (1 if x > 0 else 2))),
+    ("out arguments that are parameters", "void try_add(inout float a, out vec2 b) { a += 1.0; b = vec2(a); b.x *= 2.0; }\n"
+     "void try_more(inout float a, out vec2 b) { try_add(a, b); try_add(a, b); b.y = -b.y; }\n"
+     "float try_value(float x) { vec2 v; try_more(x, v); return x + v.x + 10.0 * v.y; }", lambda x: -7 * (x + 2)),
+    ("an element of an inout struct", "struct TryRow { float node[3]; int count; };\nvoid try_f(inout TryRow row, int i) { row.node[i] = 2.0 * row.node[i]; row.count++; --row.count; row.count += 2; }\n"
+     "float try_value(float x) { TryRow row; row.count = 1; row.node[1] = x; try_f(row, 1); return row.node[1] + float(row.count); }", lambda x: 2 * x + 3),
+    ("a result that nobody takes", "float try_f(inout float f) { f *= 2.0; return f; }\nfloat try_value(float x) { try_f(x); max(x, 1.0); return x; }", lambda x: 2 * x),
+    ("a sum within a chain", "float a = 1.0, b = 2.0; a += b = x; float c = b = 3.0; return a + 10.0 * b + c;", lambda x: 1 + x + 33),
+    ("macros of macros", "#define TRY_BASE (1 << 4)\n#define TRY_MASK (TRY_BASE - 1)\n#define TRY_NONE\n"
+     "TRY_NONE float try_value(float x) { return float((int(floor(x)) + 24) & TRY_MASK); }", lambda x: math.floor(x) + 24 & 15),
+    ("conditions", "#define TRY_KIND 2 // of three\n#if TRY_KIND == 1\nfloat try_f(float x) { return 1.0; }\n#elif TRY_KIND == (TRY_KIND & 3) && !defined(TRY_NEVER)\n"
+     "float try_f(float x) {\n#if TRY_KIND != 2\n    x = 7.0;\n#else\n    x += 2.0;\n#endif\n    return x; }\n#else\n#error none\n#endif\n"
+     "#if TRY_KIND < 1 || TRY_KIND > 3\n#error TRY_KIND must be 1 to 3\n#endif\nfloat try_value(float x) { return try_f(x); }", lambda x: x + 2),
+    ("vectors in atan and components of components", "void try_f(inout vec3 v) { v.x = v.zy.x + v.y; v = v.zyx; }\n"
+     "float try_value(float x) { vec3 v = vec3(x, 1.0, 2.0); try_f(v); return atan(vec2(x, 1.0), vec2(1.0, 2.0)).x + v.z; }", lambda x: math.atan(x) + 3),
+    ("NaN in a test at the end", "float f = x, zero = x - x; do { f += 1.0; } while (f < zero / zero); return f;", lambda x: x + 1),
+    ("++ within an expression", "int i = 0;\nreturn x + float(i++);", r":2: \+\+ within an expression"),
+    ("an assignment within an expression", "\nreturn (x = 3.0) + 1.0;", ":2: '=' has no translation"),
+    ("an assignment that is returned", "\nreturn x = 3.0;", ":2: = within an expression"),
+    ("++ after a test", "int k = 0; while (k++ < 3) x += 1.0; return x;", r":1: \+\+ within an expression"),
+    ("a macro without parentheses", "\n#define TRY_SUM 1.0 + 2.0\nfloat try_value(float x) { return x * TRY_SUM; }", r":2: \w+, a macro that is no constant in parentheses,"),
+    ("a loop with two variables", "for (int i = 0, j = 3; i < j; ++i) x += 1.0; return x;", ":1: a loop with several variables"),
+    ("a number that is too large", "return x * 1.0e39;", ":1: 1.0e39, more than a float holds,"),
+    ("a division by 0", "\nreturn x + float(int(x) / 0);", ":2: a division by 0"),
+    ("a constant divided by 0", "return x + 1.0 / 0.0;", ":1: a division of a constant by 0"),
+    ("a constant beyond 32 bits", "return x + float(1 << 31);", ":1: a constant beyond 32 bits"),
+    ("a shift by all bits", "uint u = 1u; return x + float(u << 32u);", ":1: << by 32"),
+    ("#define within a function", "\n#define TRY_ONE 1.0\nreturn x * TRY_ONE;", ":2: #define within a function"),
+    ("other directives", "#pragma optionNV(unroll all)\nfloat try_value(float x) { return x; }", ":1: #pragma has no translation"),
+    ("an error", "\n#ifndef TRY_NEVER\n#error Define TRY_NEVER\n#endif\nfloat try_value(float x) { return x; }", r":3: Define \w+"),
+    ("an unknown macro in a condition", "#if TRY_NEVER > 2\n#endif\nfloat try_value(float x) { return x; }", r":1: #if \w+ > 2 has no translation"),
+    ("a call within a constant", "float try_f() { return 1.0; }\nconst float try_one = try_f();\nfloat try_value(float x) { return x * try_one; }", ":2: a call within a constant"),
+    ("a reserved name beside its substitute", "float let = x, let_ = 1.0; return let + let_;", ": let, which WGSL reserves, beside let_"),
+]
+# What all languages refuse: GLSL that is wrong, and GLSL that some language lacks.
 REFUSED = [
-    ("an implicit conversion", "\nfloat y = 1;\nreturn x + y;", ":2: .*cannot convert"),
-    ("a variable that is not there", "\n\nreturn y;", ":3: 'y' : undeclared"),
-    ("a missing semicolon", "x += 1.0\nreturn x;", ":2: .*syntax error"),
+    ("an implicit conversion", "\nfloat y = 1;\nreturn x + y;", ":2: int in the place of float"),
+    ("a variable that is not there", "\n\nreturn y;", ":3: 'y' has no translation"),
+    ("an argument of another type", "float try_f(vec2 v) { return v.x; }\nfloat try_value(float x) { return try_f(x); }", ":2: float in the place of vec2"),
+    ("too few arguments", "float try_f(vec2 v, float k) { return v.x; }\nfloat try_value(float x) { return try_f(vec2(x)); }", r":2: \w+\(vec2\) has"),
+    ("a function of whole numbers", "\nreturn sin(3);", r":2: sin\(int\)"),
+    ("a sum of two types", "\nreturn x + 1;", r":2: float \+ int"),
+    ("a sum of two sizes", "\nreturn (vec2(x) + vec3(x)).x;", r":2: vec2 \+ vec3"),
+    ("a condition that is a number", "int i = 1;\nif (i) x += 1.0; return x;", ":2: int in the place of bool"),
+    ("a choice of two types", "return (x > 0.0 ? x : vec2(x)).x;", ":1: vec2 in the place of float"),
+    ("a result of another type", "int try_f(float x) { return x; }\nfloat try_value(float x) { return float(try_f(x)); }", ":1: float in the place of int"),
+    ("a component that is not there", "\nreturn vec2(x).z;", ":2: .z of a vec2"),
+    ("an index that is no whole number", "vec2 v = vec2(x);\nreturn v[1.0];", ":2: an index of type float"),
+    ("a missing semicolon", "x += 1.0\nreturn x;", ":2: 'return' where ; should be"),
     ("an overload", "float try_f(float x) { return x; }\nfloat try_f(vec2 v) { return v.x; }\nfloat try_value(float x) { return try_f(x); }",
      r":2: a second \w+ with other parameters"),
     ("+= of two components", "vec3 v = vec3(x);\nv.xy += vec2(1.0, x);\nreturn v.x;", ":2: a change of 'v.xy'"),
@@ -135,6 +219,13 @@ def snippet(text, number):
     return re.sub(r"\b(try|Try|TRY)(?=[_A-Z])", rf"\g<1>{number}", text)
 
 
+def snippets(ending):
+    """Yields the number of each snippet for a language, and the rest. Those of WGSL are also tried as GLSL."""
+    yield from ((number, *each) for number, each in enumerate(SNIPPETS))
+    if ending in ("wgsl", "comp"):
+        yield from ((number, *each) for number, each in enumerate(WGSL, 200) if callable(each[2]))
+
+
 class Snippets(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -149,13 +240,13 @@ class Snippets(unittest.TestCase):
         path = self.folder / f"{name}.glsl"
         path.write_text(snippet(text, number))
         try:
-            return translate.LANGUAGES[ending][1](translate.shader(path)).text(), None
+            return translate.LANGUAGES[ending][2](translate.wgsl.shader(path) if ending == "wgsl" else translate.shader(path)).text(), None
         except translate.glsl.Refused as refused:
             return None, str(refused)
 
     def accepted(self, ending):
         """Yields the number, translation and function of each snippet that a language has, and checks refusals of others."""
-        for number, (name, text, wanted, *exceptions) in enumerate(SNIPPETS):
+        for number, name, text, wanted, *exceptions in snippets(ending):
             with self.subTest(name):
                 made, refused = self.translated(number, text, ending)
                 reason = exceptions[0].get(ending, "") if exceptions else ""
@@ -174,9 +265,17 @@ class Snippets(unittest.TestCase):
                 self.assertIsNone(made, f"{name} is translated")
                 self.assertRegex(refused, rf"snippet{number}\.glsl{reason}[^\n]*$")
 
+    def test_refused_by_wgsl(self):
+        for number, (name, text, reason) in enumerate(WGSL, 200):
+            if not callable(reason):
+                with self.subTest(name):
+                    made, refused = self.translated(number, text, "wgsl")
+                    self.assertIsNone(made, f"{name} is translated")
+                    self.assertRegex(refused, rf"snippet{number}\.glsl{reason}[^\n]*$")
+
     def check(self, values, accepted):
         for row, (number, _, wanted) in zip(values, accepted, strict=True):
-            with self.subTest(SNIPPETS[number][0]):
+            with self.subTest((WGSL[number - 200] if number >= 200 else SNIPPETS[number])[0]):
                 np.testing.assert_allclose(row, [wanted(x) for x in self.x], rtol=1e-5, atol=2e-5)
 
     def test_cpp(self):
@@ -210,7 +309,7 @@ int main() {{
     def run_spirv(self, ending, x, start, end, command):
         """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
         accepted = list(self.accepted(ending)) if ending in LANGUAGES else [
-            (number, snippet(text, number), wanted) for number, (_, text, wanted, *_) in enumerate(SNIPPETS)]
+            (number, snippet(text, number), wanted) for number, _, text, wanted, *_ in snippets(ending)]
         text = "\n".join([*(made for _, made, _ in accepted), start])
         text += "".join(f"    if (pixel.y == {row}u) {{ value = try{number}_value({x}); }}\n" for row, (number, *_) in enumerate(accepted))
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
@@ -298,7 +397,7 @@ class Program(unittest.TestCase):
         """A refusal is one line with the file and line, and exit status 1; bad arguments have status 2."""
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             path = pathlib.Path(folder) / "sea.glsl"
-            path.write_text("// sea.glsl: sea. Paste it after gabor_noise.glsl.\n#define SEA\nfloat sea(vec2 p) {\n    return mod(p.x, 2.0);\n}\n")
+            path.write_text("// sea.glsl: sea. Paste it after gabor_noise.glsl.\n#define SEA_GLSL\nfloat sea(vec2 p) {\n    return mod(p.x, 2.0);\n}\n")
             self.assertEqual(self.run_program(path), (1, f"translate: {path}:4: mod has no translation\n"))
             self.assertEqual(self.run_program(path.with_name("lake.glsl"))[0], 2)
         self.assertEqual(self.run_program("-DGABOR_LOBES=2")[0], 2)
@@ -321,15 +420,26 @@ class Program(unittest.TestCase):
         for path in [*translate.copies.DROP_INS, *translate.TRANSLATIONS.iterdir()]:
             self.assertEqual(names & set(re.findall(r"\w+", glsl.without_comments(path.read_text()))), set(), path.name)
 
-    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
-    def test_a_function_that_nothing_translates(self):
-        """A function that a condition removes from WGSL is an error, not a gap."""
+    def test_macros_of_wgsl(self):
+        """-D chooses code and constants, and a name that no file has is refused."""
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-            path = pathlib.Path(folder) / "gap.glsl"
-            path.write_text("#define GABOR_TAPS 3\nfloat gap_a(float x) { return x; }\n#if GABOR_TAPS == 2\nfloat gap_b(float x) { return x; }\n#endif\n")
-            with self.assertRaisesRegex(glsl.Refused, "gap.glsl:4: gap_b, which naga or a condition leaves out"):
-                translate.Wgsl(translate.shader(path))
-            self.assertIn("fn gap_a", translate.Wgsl(translate.shader(path), ["GABOR_OTHER=1"]).text())
+            def made(name, *macros):
+                said = self.run_program("wgsl", ROOT / "shaders" / f"{name}.glsl", *macros, "-o", folder)
+                return said if said[0] else (pathlib.Path(folder) / f"{name}.wgsl").read_text()
+            two = made("gabor_noise", "-DGABOR_TAPS=2")
+            self.assertIn("const GABOR_TAPS: i32 = 2;\n", two)
+            self.assertIn("    const_assert GABOR_TAPS == 2;\n", two)
+            self.assertNotIn("1.0966099", two)
+            self.assertIn("1.0966099", made("gabor_noise"))
+            self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", made("gabor_spectrum", "-DGABOR_LOBES=6"))
+            self.assertEqual(made("gabor_filter", "-DGABOR_TAPS=2"), (1, "translate: shaders/gabor_filter.glsl:28: gabor_filter.glsl needs GABOR_TAPS 3\n"))
+            self.assertEqual(made("gabor_noise", "-DGABOR_TAP=2"), (1, "translate: -DGABOR_TAP=2: no file has this macro\n"))
+            self.assertEqual(self.run_program("hlsl", "-DGABOR_TAPS=2", "-o", folder)[0], 2)
+
+    def test_wgsl_is_short(self):
+        lines = sum(path.read_text().count("\n") for path in translate.TRANSLATIONS.glob("*.wgsl"))
+        self.assertLess(lines, 5500)
+        self.assertGreater(lines, 4000)
 
     def test_check_of_a_folder(self):
         """--check -o compares the files of another folder."""
@@ -340,11 +450,6 @@ class Program(unittest.TestCase):
                                   capture_output=True, text=True)
         self.assertEqual((said.returncode, said.stderr, re.findall(r"(\S+): not current", said.stdout)), (1, "", ["gabor_noise.hlsl"]))
         self.assertIn("gabor_noise.metal: current\n", said.stdout)
-
-    def test_without_naga_the_page_is_current_too(self):
-        page = translate.copies.DEMO
-        made = dict(translate.copies.made(translate.shader, lambda tree, name, macros, existing: existing))
-        self.assertTrue(made[page] == page.read_text())
 
 
 if __name__ == "__main__":

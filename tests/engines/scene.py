@@ -1,6 +1,7 @@
 """What the scripts that draw the scene of reference.py share: its code in GLSL, Slang and C++, the drop-ins' texts, packages,
 and the report that tools/test-engines reads."""
 
+import functools
 import itertools
 import json
 import os
@@ -57,10 +58,24 @@ CALLS = {
 }
 
 
+@functools.cache
+def printed(language):
+    """Returns a folder, while the program runs, with the drop-ins in a language that the repository does not have."""
+    folder = tempfile.TemporaryDirectory(prefix="gabor-")
+    subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", language, "-o", folder.name], check=True)
+    return folder
+
+
+def drop_in_path(name, ending="glsl"):
+    """Returns the file of a drop-in or its translation."""
+    if language := {"metal": "metal", "gdshaderinc": "godot"}.get(ending):
+        return pathlib.Path(printed(language).name) / f"{name}.{ending}"
+    return SHADERS / ("" if ending == "glsl" else "translations") / f"{name}.{ending}"
+
+
 def drop_in(name, macros, ending="glsl"):
     """Returns the text of a drop-in or its translation after the macros, each given as NAME=VALUE."""
-    path = SHADERS / ("" if ending == "glsl" else "translations") / f"{name}.{ending}"
-    return "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + path.read_text()
+    return "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + drop_in_path(name, ending).read_text()
 
 
 def compute_shader(name, macros):

@@ -32,7 +32,7 @@ INSTALLED = {
     *(f"share/gabor-noise/shaders/{place}_{name}.{dialect}"
       for name in ("compose", "direction", "erosion", "filter", "filter_3d", "materials", "noise", "noise_3d", "ocean", "sparse", "spectrum")
       for place, dialect in (("gabor", "glsl"), *(("translations/gabor", dialect)
-                                                  for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")))),
+                                                  for dialect in ("hlsl", "hpp", "wgsl")))),
 }
 
 

@@ -1,6 +1,7 @@
 """Compares the packages of tools/package with the texts that they are made of, and uses them in an empty folder:
 test_packages.py [-v] nodes|npm|module|pypi|vcpkg|benchmark|release"""
 
+import functools
 import hashlib
 import importlib.util
 import json
@@ -23,7 +24,7 @@ from PIL import Image
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/engines", "tools")]
 import reference  # noqa: E402
-from scene import ROOT, SHADERS, in_cpp  # noqa: E402
+from scene import ROOT, SHADERS, in_cpp, printed  # noqa: E402
 from version import VERSION  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -38,6 +39,14 @@ def run(*command, **options):
     if result.returncode != 0:
         raise AssertionError(f"{command} failed:\n{result.stdout}\n{result.stderr}")
     return result.stdout
+
+
+@functools.cache
+def texts():
+    """Returns the text of each drop-in and translation, by its path in shaders/."""
+    made = [path for language in ("metal", "godot") for path in pathlib.Path(printed(language).name).iterdir()]
+    return dict(sorted({**{str(path.relative_to(SHADERS)): path.read_text() for path in DROP_INS},
+                        **{f"translations/{path.name}": path.read_text() for path in made}}.items()))
 
 
 def guid(meta):
@@ -119,7 +128,7 @@ class Npm(Package):
         installed = project / "node_modules" / "gabor-noise"
         three_nodes = SHADERS / "nodes" / "three"
         self.assertEqual(named(installed.rglob("*"), installed), {"LICENSE", "README.md", "package.json", "index.js", "index.d.ts",
-                                                                  *named(DROP_INS, ROOT),
+                                                                  *(f"shaders/{name}" for name in texts()),
                                                                   *named((three_nodes / name for name in tracked(three_nodes)), ROOT)})
         described = json.loads((installed / "package.json").read_text())
         self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 needs it to recognize modules
@@ -132,8 +141,7 @@ const texts = process.argv.slice(2).map(name =>
     readFileSync(fileURLToPath(import.meta.resolve(`gabor-noise/shaders/${name}`)), "utf8"));
 console.log(JSON.stringify(texts));
 """)
-        texts = json.loads(run("node", "sources.mjs", *(path.relative_to(ROOT / "shaders") for path in DROP_INS), cwd=project))
-        self.assertEqual(texts, [path.read_text() for path in DROP_INS])
+        self.assertEqual(json.loads(run("node", "sources.mjs", *texts(), cwd=project)), [*texts().values()])
 
         # The index has the texts, and the README's code makes a shader of one.
         exported = json.loads(run("node", "--input-type=module", "--eval",
@@ -254,8 +262,8 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
     def assert_reference(self, *python):
         """Runs Python with these arguments."""
         (self.folder / "use.py").write_text(self.USE)
-        said = run(*python, self.folder / "use.py", *(path.name for path in DROP_INS), cwd=self.folder)
-        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
+        said = run(*python, self.folder / "use.py", *(pathlib.Path(name).name for name in texts()), cwd=self.folder)
+        self.assertEqual(said, "".join(texts().values()) + f"{VERSION}\n")
         with np.load(self.folder / "pictures.npz") as pictures:
             for function, values in pictures.items():
                 with self.subTest(function):
@@ -350,7 +358,7 @@ class Node(Package):
             self.assertTrue("://" in link or (root / link).exists(), link)
 
     def text(self, original):
-        return (SHADERS / original).read_bytes()
+        return texts()[original].encode()
 
     def quoted(self, text):
         return text
@@ -374,7 +382,7 @@ class Bevy(Node):
             *head, code[module] = re.fullmatch(r"(#define_import_path gabor_noise::\w+\n)((?:#import .*\n)*)\n((?:.*\n)*)", text).groups()
             self.assertEqual(head[0], f"#define_import_path gabor_noise::{module}\n")
             original = (SHADERS / "translations" / f"{self.MODULES[module]}.wgsl").read_text()
-            self.assertEqual(code[module], re.sub("// Paste or include this file after .*\n//\n", "", original))
+            self.assertEqual(code[module], re.sub("// Paste it after .*\n", "", original))
             imported = {}
             for other, names in re.findall(r"#import gabor_noise::(\w+)::\{(.*)\}\n", head[1]):
                 self.assertLessEqual(set(names.split(", ")), set(self.DEFINED.findall(modules[other])))
@@ -645,8 +653,6 @@ include("${FOLDER}/gabor-noise/portfile.cmake")
 
 
 class Benchmark(Package):
-    tools = "naga",
-
     def test_page_has_all_shaders(self):
         page, = self.archives
         self.assertEqual(page.suffix, ".html")
@@ -676,7 +682,8 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
         self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py", *more))
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "nodes.py", "package", "translate", "version.py", "wgsl.py")),
+                          "shaders/translations/gabor_vectors.hpp", *more))
         (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
@@ -760,8 +767,6 @@ class Release(Folder):
         self.assertEqual(len(named), 6)
 
     def test_sets_the_version_everywhere(self):
-        if not shutil.which("naga"):
-            self.skipTest("needs naga")
         made = self.release("--set", "9.8.7")
         self.assertEqual(made.returncode, 0, made.stderr)
         changed = {name for name in tracked(self.folder) if (self.folder / name).read_bytes() != (ROOT / name).read_bytes()}
@@ -771,7 +776,7 @@ class Release(Folder):
         for name in changed:
             old, new = ((root / name).read_text().splitlines() for root in (ROOT, self.folder))
             differences = [line for before, line in zip(old, new, strict=True) if before != line]
-            self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// naga", line)], [], name)
+            self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807", line)], [], name)
 
 # The classes of each test that CTest runs.
 PACKAGES = {"nodes": [*NODES, Folders, Manifests], "npm": [Npm, Repository], "module": [Module], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],

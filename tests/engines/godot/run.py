@@ -9,7 +9,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
-from scene import drop_in, packaged  # noqa: E402
+from scene import drop_in, packaged, printed  # noqa: E402
 
 root, kind, method, driver, values, name, *macros = sys.argv[1:]
 root = pathlib.Path(root)
@@ -18,7 +18,7 @@ with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     project = pathlib.Path(folder)
     shutil.copytree(HERE, project, dirs_exist_ok=True)
     packaged("godot", project)
-    for path in (HERE.parents[2] / "shaders" / "translations").glob("*.gdshaderinc"):
+    for path in pathlib.Path(printed("godot").name).iterdir():
         shutil.copy(path, project)
     if name.endswith(".gdshader"):
         shutil.copy(name, project / "noise.gdshader")
