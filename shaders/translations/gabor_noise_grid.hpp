@@ -93,7 +93,7 @@ inline GaborGridAxis gabor_impl_grid_axis(double first, double step, std::size_t
                      cell = std::floor(at);
         const int index = static_cast<int>(static_cast<std::uint32_t>(static_cast<std::int64_t>(cell)));
         const float local = static_cast<float>(at - cell);
-        const GaborAxis here = gabor_impl_axis(index, local, period, salt, wave, radius);
+        const GaborImplAxis here = gabor_impl_axis(index, local, period, salt, wave, radius);
         const std::int64_t node = static_cast<std::int64_t>(cell) + (local >= 0.5f ? 1 : 0);
         if (i == 0 || node != before) {
             axis.run.push_back(i);

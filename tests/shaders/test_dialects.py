@@ -77,7 +77,9 @@ DIALECTS = {
     "450 fragment for Vulkan": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", ["-V"]),
     "450 compute for Vulkan": ("450", "", COMPUTE, "", "comp", ["-V"]),
     "330 core fragment": ("330 core", "", FRAGMENT, "out", "frag", []),
-    **{f"{version} fragment": (version, "", FRAGMENT, "out", "frag", []) for version in ("130", "140", "150", "150 core")},
+    # The calls give it arbitrary bits, but no drop-in of these versions needs it.
+    **{f"{version} fragment": (version, "#define uintBitsToFloat float\n", FRAGMENT, "out", "frag", [])
+       for version in ("130", "140", "150", "150 core")},
     "300 es fragment": ("300 es", "precision highp float;\n", FRAGMENT, "out", "frag", []),
     "300 es fragment, mediump": ("300 es", "precision mediump float;\n", FRAGMENT, "out", "frag", []),
 }
