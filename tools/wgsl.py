@@ -273,7 +273,8 @@ class Wgsl:
     def word(self, text):
         """Returns a name that WGSL accepts."""
         if text in RESERVED and f"{text}_" in self.names:
-            raise glsl.Refused(f"{self.shader.path}: {text}, which WGSL reserves, beside {text}_ has no translation")
+            line = self.shader.text.count("\n", 0, re.search(rf"\b{text}_\b", self.shader.text).start()) + 1
+            raise glsl.Refused(f"{self.shader.path}:{line}: {text}_ beside {text}, which WGSL reserves, has no translation")
         return text + "_" * (text in RESERVED)
 
     def type(self, name):

@@ -154,7 +154,7 @@ WGSL = [
     ("an error", "\n#ifndef TRY_NEVER\n#error Define TRY_NEVER\n#endif\nfloat try_value(float x) { return x; }", r":3: Define \w+"),
     ("an unknown macro in a condition", "#if TRY_NEVER > 2\n#endif\nfloat try_value(float x) { return x; }", r":1: #if \w+ > 2 has no translation"),
     ("a call within a constant", "float try_f() { return 1.0; }\nconst float try_one = try_f();\nfloat try_value(float x) { return x * try_one; }", ":2: a call within a constant"),
-    ("a reserved name beside its substitute", "float let = x, let_ = 1.0; return let + let_;", ": let, which WGSL reserves, beside let_"),
+    ("a reserved name beside its substitute", "float let = x;\nfloat let_ = 1.0; return let + let_;", ":2: let_ beside let, which WGSL reserves,"),
 ]
 # What all languages refuse: GLSL that is wrong, and GLSL that some language lacks.
 REFUSED = [

@@ -237,8 +237,9 @@ class Translations(unittest.TestCase):
     def glsl(self, **options):
         return self.drawn("glsl", GLSL, "sh", "-c", 'glslangValidator -V -S comp "$0" -o "$1"', before=f"#version 450\n{MACROS}", **options)
 
-    def compare(self, translated, calls=CALLS):
-        """Compares each call with GLSL; materials, erosion, fits and the sea less strictly, because they magnify differences in rounding."""
+    def compare(self, translated, calls=CALLS, inexact="eroded"):
+        """Compares each call with GLSL; materials, erosion, fits and the sea less strictly, because they magnify differences in rounding.
+        `inexact` are calls of functions that the device computes with few digits."""
         errors = {}
         if not self.DRAWN:
             self.DRAWN.update(self.glsl())
@@ -250,7 +251,7 @@ class Translations(unittest.TestCase):
                 difference = np.abs(drawn - wanted[:len(drawn)])
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 error = float(difference.max() / wanted.std())
-                self.assertLess(error, 1e-3 if re.search(r"colour|sand|eroded|sea\(", call) else 2e-5 if "water" in call else 1e-5)
+                self.assertLess(error, 1e-3 if re.search(rf"colour|sand|{inexact}|sea\(", call) else 2e-5 if "water" in call else 1e-5)
                 errors[CALLS[call]] = max(errors.get(CALLS[call], 0), error)
         if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engine-results.md
             name = self._testMethodName.removeprefix("test_")
@@ -303,7 +304,7 @@ class Translations(unittest.TestCase):
             subprocess.run(["node", DAWN / "run.mjs", values, shader, str(ROWS), str(len(group))], check=True, stdout=subprocess.DEVNULL,
                            env=os.environ | {"VK_ICD_FILENAMES": str(SWIFTSHADER)})
             drawn |= zip(group, np.fromfile(values, "<f4").reshape(len(group), -1))
-        self.compare(drawn.get)
+        self.compare(drawn.get, inexact="eroded|profile")  # SwiftShader's atan errs by 1e-4
 
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
