@@ -359,8 +359,8 @@ RWStructuredBuffer<float> values : register(u0);
 
 
 class Functions(unittest.TestCase):
-    def test_cpp_has_each_function_for_each_size(self):
-        """gabor_vectors.hpp must have each function that is translated, for numbers, where GLSL ES has it, and vectors."""
+    def calls(self):
+        """Returns GLSL with each function that is translated, for numbers, where GLSL ES has it, and vectors."""
         counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross"], 2)
         lines = ["step(0.5, vec2(x)); smoothstep(0.0, 1.0, vec4(x)); mix(vec3(x), vec3(1.0), 0.5); atan(vec2(x), vec2(1.0)); sign(-2); abs(-1);",
                  "abs(ivec3(-1)); min(1, 2); min(uvec2(1u), uvec2(2u)); max(1u, 2u); clamp(1, 2, 3); clamp(ivec4(1), ivec4(0), ivec4(2));"]
@@ -372,11 +372,23 @@ class Functions(unittest.TestCase):
                 lines.append(f"{name}({', '.join(given)});")
             if name in ("min", "max", "clamp"):
                 lines.append(f"{name}({glsl.TYPES['float', size]}(x){', 1.0' * (counts[name] - 1)});")
-        tree = glsl.Shader("void gabor_all(float x) {" + "\n".join(lines) + "}\n", "all.glsl")
+        self.assertGreater(len(lines), 100)
+        return "void gabor_all(float x) {" + "\n".join(lines) + "}\n"
+
+    def test_cpp_has_each_function_for_each_size(self):
+        tree = glsl.Shader(self.calls(), "all.glsl")
         said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", translate.TRANSLATIONS, "-x", "c++", "-"],
                               input='#include "gabor_vectors.hpp"\n' + translate.Cpp(tree).text(), capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertGreater(len(lines), 100)
+
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
+    def test_wgsl_has_each_function_for_each_size(self):
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            path, made = (pathlib.Path(folder) / f"all.{ending}" for ending in ("glsl", "wgsl"))
+            path.write_text(self.calls())
+            made.write_text(translate.translation(path, "wgsl"))
+            said = subprocess.run(["naga", made], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
 
 
 class Nodes(unittest.TestCase):
