@@ -29,6 +29,7 @@ RESERVED = set("""NULL Self abstract active alias alignas alignof as asm asm_fra
     volatile wgsl where with writeonly yield""".split()) | set(TYPES.values()) | {
         "array", "atan2", "bitcast", "function", "inverseSqrt", "ptr", "select"}
 USERS = {"GABOR_DIRECTION"}  # macros with arguments that the user defines: WGSL lacks the functions that call them
+GUARD = "_GLSL"  # the end of macros that only tell that a file was included
 NAME = r"\b[A-Za-z_]\w*"
 COMPARISONS = {"==", "!=", "<", "<=", ">", ">="}
 OPPOSITES = dict(zip("== != < >= > <=".split(), "!= == >= < <= >".split()))
@@ -78,7 +79,7 @@ class Source:
             state = Branches(state.kept)
             self.branches.append(state)
             default = re.match(r"\s*#define (\w+) +(?!//)\S", below)
-            if word == "ifndef" and default and default[1] == rest and state.outer:
+            if word == "ifndef" and default and default[1] == rest and state.outer and not rest.endswith(GUARD):
                 self.defaults.append(rest)
         if word in ("if", "ifdef", "ifndef", "elif", "else"):
             test = {"ifdef": f"defined({rest})", "ifndef": f"!defined({rest})", "else": ""}.get(word, rest)
@@ -117,8 +118,7 @@ class Source:
             value = self.given[name]
             self.used.add(name)
         self.known[name] = value.strip()
-        guard = name.endswith("_GLSL")
-        return "" if guard else f"#define {name} {self.known[name]} {comment if value else ''}".rstrip()
+        return "" if name.endswith(GUARD) else f"#define {name} {self.known[name]} {comment if value else ''}".rstrip()
 
     def value(self, token, test):
         """Tells whether a condition holds."""

@@ -1,6 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_EROSION_GLSL.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -346,4 +345,3 @@ fn gabor_ground(terrain: GaborTerrain) -> vec4f {
     let snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
     return vec4f((1.0 - snow) * vec3f((1.0 - rock) * vec2f(1.0 - scree, scree), rock), snow);
 }
-

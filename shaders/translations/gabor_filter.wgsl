@@ -1,6 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
-// Constants that you may edit: GABOR_FILTER_GLSL.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -553,4 +552,3 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequ
     gabor_impl_add_field(&field, sum, amplitude, stretch);
     return field;
 }
-

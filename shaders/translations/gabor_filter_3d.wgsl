@@ -1,6 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
-// Constants that you may edit: GABOR_FILTER_3D_GLSL.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
@@ -391,4 +390,3 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: ve
     }
     return sum;
 }
-

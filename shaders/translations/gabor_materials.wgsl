@@ -1,6 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
-// Constants that you may edit: GABOR_MATERIALS_GLSL.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -1634,4 +1633,3 @@ fn gabor_carbon_fibre_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> Gab
 fn gabor_strata_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
     return gabor_strata_filtered_at(p, dx, dy, vec2f(0.0), gabor_strata_default(), seed);
 }
-

@@ -1,5 +1,4 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// Constants that you may edit: GABOR_NOISE_GLSL.
 // For another GABOR_TAPS: tools/translate wgsl shaders/gabor_noise.glsl -DGABOR_TAPS=NUMBER -o FOLDER
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
@@ -458,4 +457,3 @@ fn gabor_stripes(p: vec2f, wave: vec2f, sharpness: f32, seed: u32) -> vec3f {
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
-

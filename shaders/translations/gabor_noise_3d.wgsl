@@ -1,6 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_NOISE_3D_GLSL.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
 // normal distribution at every point.
@@ -361,4 +360,3 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal_in: vec3f, frequenc
     }
     return sum;
 }
-

@@ -1,6 +1,6 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_OCEAN_GLSL, GABOR_OCEAN_BANDS.
+// Constants that you may edit: GABOR_OCEAN_BANDS.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, alike on CPU and GPU.
 //
@@ -404,4 +404,3 @@ fn gabor_water_height(p: vec2f, seconds: f32, ocean: GaborOcean, seed: u32) -> f
     for (var i = 0; i < 6; i++) { water = gabor_water(p - water.shift, seconds, ocean, seed); }
     return water.height;
 }
-

@@ -1,6 +1,6 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_SPECTRUM_GLSL, GABOR_LOBES.
+// Constants that you may edit: GABOR_LOBES.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
 //
@@ -326,4 +326,3 @@ fn gabor_profile_pulse(stripes: vec2f, duty: f32) -> f32 {
     let ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
-

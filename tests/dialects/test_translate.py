@@ -20,6 +20,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 COMPILER = os.environ.get("CXX", "c++")
+DAWN, SWIFTSHADER = HERE.parent / "engines" / "dawn", pathlib.Path("/usr/lib/chromium/vk_swiftshader_icd.json")
 SCENE = pathlib.Path(os.environ.get("GABOR_SCENES", "nowhere")) / "scene_vulkan"  # runs SPIR-V
 LANGUAGES = ["hlsl", "metal", "hpp", "wgsl", "gdshaderinc"]
 
@@ -93,7 +94,7 @@ WGSL = [
     ("a choice that guards a division", "int n = int(floor(x)); return float(n == 0 ? 7 : 12 / n);", lambda x: 7 if 0 <= x < 1 else int(12 / math.floor(x))),
     ("a choice over lines", "return x < 0.0 ? -1.0 // below\n                : x > 2.0\n                ? 1.0 /* above */ : 0.0;",
      lambda x: -1 if x < 0 else 1 if x > 2 else 0),
-    ("continue before a test at the end", "int i = 0; do { ++i; if (i == 2) continue; x += float(i); } while (i < 4); return x;", lambda x: x + 8),
+    ("continue before a test at the end", "int i = 0; do { ++i; if (i == 4) continue; x += float(i); } while (i < 4); return x;", lambda x: x + 6),
     ("-- in a test at the end", "int k = 4; do x += 1.0; while (--k > 0); return x;", lambda x: x + 4),
     ("a loop without parts", "int i = 0; for (;;) { if (i == 3) break; i++; } while (i < 9) { i += 2; } return x + float(i);", lambda x: x + 9),
     ("else after two conditions", "if (x > 0.0) if (x > 1.0) return 3.0; else return 2.0; return 1.0;", lambda x: 3 if x > 1 else 2 if x > 0 else 1),
@@ -306,14 +307,20 @@ int main() {{
         values = subprocess.run([program], capture_output=True, text=True, check=True).stdout
         return np.array(values.split(), float).reshape(len(accepted), 256)
 
-    def run_spirv(self, ending, x, start, end, command):
-        """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
+    def shader(self, ending, x, start, end):
+        """Writes a compute shader with all snippets, and returns it with what they return."""
         accepted = list(self.accepted(ending)) if ending in LANGUAGES else [
             (number, snippet(text, number), wanted) for number, _, text, wanted, *_ in snippets(ending)]
         text = "\n".join([*(made for _, made, _ in accepted), start])
         text += "".join(f"    if (pixel.y == {row}u) {{ value = try{number}_value({x}); }}\n" for row, (number, *_) in enumerate(accepted))
-        shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
+        shader = self.folder / f"shader.{ending}"
         shader.write_text(text + end)
+        return shader, accepted
+
+    def run_spirv(self, ending, x, start, end, command):
+        """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
+        shader, accepted = self.shader(ending, x, start, end)
+        spirv, values = shader.with_suffix(".spv"), shader.with_suffix(".raw")
         said = subprocess.run(["sh", "-c", command, shader, spirv], capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
         subprocess.run(["spirv-val", "--target-env", "vulkan1.1", spirv], check=True)
@@ -339,13 +346,25 @@ RWStructuredBuffer<float> values : register(u0);
     float value = 0.0;
 """, "    values[pixel.y * 256 + pixel.x] = value;\n}\n", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
 
-    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
-    def test_wgsl(self):
-        self.run_spirv("wgsl", "(f32(pixel.x) + 0.5) / 32.0 - 4.0", """
+    WGSL_SHADER = "wgsl", "(f32(pixel.x) + 0.5) / 32.0 - 4.0", """
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     var value = 0.0;
-""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
+""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n"
+
+    @unittest.skipUnless((DAWN / "node_modules").exists() and SWIFTSHADER.exists(), "Dawn is not installed: tools/test-engines dawn installs it")
+    def test_wgsl_by_tint(self):
+        """Tint is stricter than naga about parentheses."""
+        shader, accepted = self.shader(*self.WGSL_SHADER)
+        values = shader.with_suffix(".raw")
+        said = subprocess.run(["node", DAWN / "run.mjs", values, shader, str(len(accepted)), "1"], capture_output=True, text=True,
+                              env=os.environ | {"VK_ICD_FILENAMES": str(SWIFTSHADER)})
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.check(np.fromfile(values, "<f4").reshape(-1, 256), accepted)
+
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
+    def test_wgsl_by_naga(self):
+        self.run_spirv(*self.WGSL_SHADER, 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
 
     def test_godot(self):
         """Godot's language has everything that is translated, so only small numbers, the names of variables and numbers beside
@@ -440,10 +459,13 @@ class Program(unittest.TestCase):
                 return said if said[0] else (pathlib.Path(folder) / f"{name}.wgsl").read_text()
             two = made("gabor_noise", "-DGABOR_TAPS=2")
             self.assertIn("const GABOR_TAPS: i32 = 2;\n", two)
-            self.assertIn("    const_assert GABOR_TAPS == 2;\n", two)
+            self.assertIn("const_assert GABOR_TAPS == 2;\n", two)
+            self.assertNotIn("you may edit", two)
             self.assertNotIn("1.0966099", two)
             self.assertIn("1.0966099", made("gabor_noise"))
-            self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", made("gabor_spectrum", "-DGABOR_LOBES=6"))
+            lobes = made("gabor_spectrum", "-DGABOR_LOBES=6")
+            self.assertIn("// Constants that you may edit: GABOR_LOBES.\n", lobes)
+            self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", lobes)
             self.assertEqual(made("gabor_filter", "-DGABOR_TAPS=2"), (1, "translate: shaders/gabor_filter.glsl:28: gabor_filter.glsl needs GABOR_TAPS 3\n"))
             self.assertEqual(made("gabor_noise", "-DGABOR_TAP=2"), (1, "translate: -DGABOR_TAP=2: no file has this macro\n"))
             self.assertEqual(self.run_program("hlsl", "-DGABOR_TAPS=2", "-o", folder)[0], 2)
