@@ -415,6 +415,10 @@ class Wgsl:
     def column(self, node):
         return node.start - self.shader.text.rfind("\n", 0, node.start) - 1
 
+    def moved(self, text, column, by):
+        """Returns a text whose further lines move with its first one, if they stand below what follows a column."""
+        return re.sub(r"\n( +)(?=\S)", lambda match: match[0] if len(match[1]) < column else "\n" + " " * (len(match[1]) + by), text)
+
     def of_call(self, node):
         name = node.name.text
         if node.what == "vector":
@@ -428,10 +432,11 @@ class Wgsl:
             given = node.callee.parameters if node.what == "function" else [None] * len(node.parts)
             parts = [self.made(part) if not (each and each.out) else self.address(part) for part, each in zip(node.parts, given)]
             name = self.word(name)
-        text, place = name, node.name.end
+        text, place = "", node.name.end
         for part, made in zip(node.parts, parts):
             text, place = text + self.source(place, part.start) + made, part.end
-        return text + self.source(place, node.end)
+        text += self.source(place, node.end)
+        return name + self.moved(text, self.column(node) + len(node.name.text) + 1, len(name) - len(node.name.text))
 
     def address(self, part):
         """Returns the pointer for an out argument, which is a variable."""
@@ -486,7 +491,11 @@ class Wgsl:
             if any(each.kind == "call" and each.what == "function" for each in part.walk()):
                 self.refuse("a call within a constant", part)
             return f"const {name}: {self.typed(part)} = {value}"
-        return f"{self.keyword(part)} {name} = {value}" if value else f"var {name}: {self.typed(part)}"
+        if not value:
+            return f"var {name}: {self.typed(part)}"
+        before = f"{self.keyword(part)} {name} = "
+        column = self.column(part.value)
+        return before + (self.moved(value, column, self.column(node) + len(before) - column) if part is node.parts[0] else value)
 
     def keyword(self, part):
         return "var" if part in self.changed or part in self.indexed else "let"
@@ -546,7 +555,9 @@ class Wgsl:
             value = self.made(right.parts[0] if before else right)
             for type in self.conversions(sign, right, left, right):
                 value = f"{type}({value})"
-            return f"{before}{self.target(left)}{self.source(left.end, node.sign.start)}{sign}={self.source(node.sign.end, right.start)}{value}"
+            target = self.target(left)
+            value = self.moved(value, self.column(right), len(target) - (left.end - left.start))
+            return f"{before}{target}{self.source(left.end, node.sign.start)}{sign}={self.source(node.sign.end, right.start)}{value}"
         if node.kind == "call" and node.what == "function":
             return self.made(node)
         return f"_ = {self.made(node)}"
@@ -563,17 +574,17 @@ class Wgsl:
         """Returns a statement after the text before it, in braces."""
         if node.kind == "block":
             return gap + self.made(node)
-        if "\n" in gap:
-            head, tail = re.fullmatch(r"((?:\s|//[^\n]*\n)*(?:\)|else))(.*)", gap, re.DOTALL).groups()
-            return f"{head} {{{tail}{self.made(node)}\n{self.indent(parent)}}}"
-        return f"{gap}{{ {self.made(node)} }}"
+        head, tail = re.fullmatch(r"((?:\s|//[^\n]*\n)*(?:\)|else))(.*)", gap, re.DOTALL).groups()
+        end = f"\n{self.indent(parent)}" if "\n" in tail else " "
+        return f"{head} {{{tail}{self.made(node)}{end}}}"
 
     def of_if(self, node):
         test, yes, *no = node.parts
         text = self.source(node.start, test.start) + self.made(test) + self.braced(self.source(test.end, yes.start), yes, node)
         if no:
             gap = self.source(yes.end, no[0].start)
-            gap = gap if yes.kind == "block" else re.sub(r"^\s*(?=else)", " ", gap)
+            own_lines = yes.kind != "block" and "\n" in self.source(test.end, yes.start)  # else follows the new brace
+            gap = re.sub(r"^\s*(?=else)", " ", gap) if own_lines else gap
             text += gap + self.made(no[0]) if no[0].kind == "if" else self.braced(gap, no[0], node)
         return text
 

@@ -83,7 +83,7 @@ fn gabor_field_waves(place: GaborPlace, waves_in: GaborWaves, seed: u32) -> Gabo
     let salt = gabor_impl_salt(seed);
     var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
+                            place.radius.y);
     let stretch = place.radius / GABOR_RADIUS;
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     for (var j = 0; j < 3; j++) {

@@ -172,9 +172,9 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) 
     let along_x = hills.slope_x; let along_y = hills.slope_y;
     let slope = place.radius * vec2f(dot(first, along_x), dot(first, along_y));
     var curvature = vec3f(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
-               dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
-                   + second.y * along_x.y * along_y.y,
-               dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
+                            dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                                + second.y * along_x.y * along_y.y,
+                            dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= vec3f(place.radius * place.radius.x, place.radius.y * place.radius.y);
     let to_ridge = inverseSqrt(1.0 + height * height);
     return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,

@@ -218,7 +218,7 @@ fn gabor_impl_add_products(sums: ptr<function, vec4f>, pair: vec4f, z: vec2f) {
 fn gabor_impl_half_turn(t: f32) -> vec2f {
     let s = t * t; let r = s * s;
     return vec2f((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
-                t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
+                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
@@ -401,7 +401,7 @@ fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
     let nodes = max(floor(side * GABOR_RADIUS + 0.5), vec2f(f32(GABOR_TAPS)));
     var place = gabor_place(vec2i(0), vec2f(0.0));
     place.radius = vec2f(select(GABOR_RADIUS, nodes.x / side.x, period.x > 0.0),
-                        select(GABOR_RADIUS, nodes.y / side.y, period.y > 0.0));
+                         select(GABOR_RADIUS, nodes.y / side.y, period.y > 0.0));
     place.period = vec2i(select(0, i32(nodes.x), period.x > 0.0), select(0, i32(nodes.y), period.y > 0.0));
     place.local = p * place.radius;
     return place;
