@@ -29,6 +29,7 @@ RESERVED = set("""NULL Self abstract active alias alignas alignof as asm asm_fra
     volatile wgsl where with writeonly yield""".split()) | set(TYPES.values()) | {
         "array", "atan2", "bitcast", "function", "inverseSqrt", "ptr", "select"}
 USERS = {"GABOR_DIRECTION"}  # macros with arguments that the user defines: WGSL lacks the functions that call them
+GUARD = "_GLSL"  # the end of macros that only tell that a file was included
 NAME = r"\b[A-Za-z_]\w*"
 COMPARISONS = {"==", "!=", "<", "<=", ">", ">="}
 OPPOSITES = dict(zip("== != < >= > <=".split(), "!= == >= < <= >".split()))
@@ -78,7 +79,7 @@ class Source:
             state = Branches(state.kept)
             self.branches.append(state)
             default = re.match(r"\s*#define (\w+) +(?!//)\S", below)
-            if word == "ifndef" and default and default[1] == rest and state.outer:
+            if word == "ifndef" and default and default[1] == rest and state.outer and not rest.endswith(GUARD):
                 self.defaults.append(rest)
         if word in ("if", "ifdef", "ifndef", "elif", "else"):
             test = {"ifdef": f"defined({rest})", "ifndef": f"!defined({rest})", "else": ""}.get(word, rest)
@@ -117,8 +118,7 @@ class Source:
             value = self.given[name]
             self.used.add(name)
         self.known[name] = value.strip()
-        guard = name.endswith("_GLSL")
-        return "" if guard else f"#define {name} {self.known[name]} {comment if value else ''}".rstrip()
+        return "" if name.endswith(GUARD) else f"#define {name} {self.known[name]} {comment if value else ''}".rstrip()
 
     def value(self, token, test):
         """Tells whether a condition holds."""
@@ -273,7 +273,8 @@ class Wgsl:
     def word(self, text):
         """Returns a name that WGSL accepts."""
         if text in RESERVED and f"{text}_" in self.names:
-            raise glsl.Refused(f"{self.shader.path}: {text}, which WGSL reserves, beside {text}_ has no translation")
+            line = self.shader.text.count("\n", 0, re.search(rf"\b{text}_\b", self.shader.text).start()) + 1
+            raise glsl.Refused(f"{self.shader.path}:{line}: {text}_ beside {text}, which WGSL reserves, has no translation")
         return text + "_" * (text in RESERVED)
 
     def type(self, name):
@@ -414,6 +415,10 @@ class Wgsl:
     def column(self, node):
         return node.start - self.shader.text.rfind("\n", 0, node.start) - 1
 
+    def moved(self, text, column, by):
+        """Returns a text whose further lines move with its first one, if they stand below what follows a column."""
+        return re.sub(r"\n( +)(?=\S)", lambda match: match[0] if len(match[1]) < column else "\n" + " " * (len(match[1]) + by), text)
+
     def of_call(self, node):
         name = node.name.text
         if node.what == "vector":
@@ -427,10 +432,11 @@ class Wgsl:
             given = node.callee.parameters if node.what == "function" else [None] * len(node.parts)
             parts = [self.made(part) if not (each and each.out) else self.address(part) for part, each in zip(node.parts, given)]
             name = self.word(name)
-        text, place = name, node.name.end
+        text, place = "", node.name.end
         for part, made in zip(node.parts, parts):
             text, place = text + self.source(place, part.start) + made, part.end
-        return text + self.source(place, node.end)
+        text += self.source(place, node.end)
+        return name + self.moved(text, self.column(node) + len(node.name.text) + 1, len(name) - len(node.name.text))
 
     def address(self, part):
         """Returns the pointer for an out argument, which is a variable."""
@@ -485,7 +491,11 @@ class Wgsl:
             if any(each.kind == "call" and each.what == "function" for each in part.walk()):
                 self.refuse("a call within a constant", part)
             return f"const {name}: {self.typed(part)} = {value}"
-        return f"{self.keyword(part)} {name} = {value}" if value else f"var {name}: {self.typed(part)}"
+        if not value:
+            return f"var {name}: {self.typed(part)}"
+        before = f"{self.keyword(part)} {name} = "
+        column = self.column(part.value)
+        return before + (self.moved(value, column, self.column(node) + len(before) - column) if part is node.parts[0] else value)
 
     def keyword(self, part):
         return "var" if part in self.changed or part in self.indexed else "let"
@@ -545,7 +555,9 @@ class Wgsl:
             value = self.made(right.parts[0] if before else right)
             for type in self.conversions(sign, right, left, right):
                 value = f"{type}({value})"
-            return f"{before}{self.target(left)}{self.source(left.end, node.sign.start)}{sign}={self.source(node.sign.end, right.start)}{value}"
+            target = self.target(left)
+            value = self.moved(value, self.column(right), len(target) - (left.end - left.start))
+            return f"{before}{target}{self.source(left.end, node.sign.start)}{sign}={self.source(node.sign.end, right.start)}{value}"
         if node.kind == "call" and node.what == "function":
             return self.made(node)
         return f"_ = {self.made(node)}"
@@ -562,17 +574,17 @@ class Wgsl:
         """Returns a statement after the text before it, in braces."""
         if node.kind == "block":
             return gap + self.made(node)
-        if "\n" in gap:
-            head, tail = re.fullmatch(r"((?:\s|//[^\n]*\n)*(?:\)|else))(.*)", gap, re.DOTALL).groups()
-            return f"{head} {{{tail}{self.made(node)}\n{self.indent(parent)}}}"
-        return f"{gap}{{ {self.made(node)} }}"
+        head, tail = re.fullmatch(r"((?:\s|//[^\n]*\n)*(?:\)|else))(.*)", gap, re.DOTALL).groups()
+        end = f"\n{self.indent(parent)}" if "\n" in tail else " "
+        return f"{head} {{{tail}{self.made(node)}{end}}}"
 
     def of_if(self, node):
         test, yes, *no = node.parts
         text = self.source(node.start, test.start) + self.made(test) + self.braced(self.source(test.end, yes.start), yes, node)
         if no:
             gap = self.source(yes.end, no[0].start)
-            gap = gap if yes.kind == "block" else re.sub(r"^\s*(?=else)", " ", gap)
+            own_lines = yes.kind != "block" and "\n" in self.source(test.end, yes.start)  # else follows the new brace
+            gap = re.sub(r"^\s*(?=else)", " ", gap) if own_lines else gap
             text += gap + self.made(no[0]) if no[0].kind == "if" else self.braced(gap, no[0], node)
         return text
 

@@ -1,6 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
-// Constants that you may edit: GABOR_COMPOSE_GLSL.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -159,4 +158,3 @@ fn gabor_covered(below: GaborMaterial, above: GaborMaterial, softness: f32) -> G
 fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborMaterial {
     return gabor_impl_outer(coat, core, softness, -1.0);
 }
-

@@ -1,6 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_DIRECTION_GLSL.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -84,7 +83,7 @@ fn gabor_field_waves(place: GaborPlace, waves_in: GaborWaves, seed: u32) -> Gabo
     let salt = gabor_impl_salt(seed);
     var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
+                            place.radius.y);
     let stretch = place.radius / GABOR_RADIUS;
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     for (var j = 0; j < 3; j++) {
@@ -100,4 +99,3 @@ fn gabor_field_waves(place: GaborPlace, waves_in: GaborWaves, seed: u32) -> Gabo
     gabor_impl_add_field(&field, sum, 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY), vec2f(1.0));
     return field;
 }
-

@@ -1,6 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_EROSION_GLSL.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -173,9 +172,9 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) 
     let along_x = hills.slope_x; let along_y = hills.slope_y;
     let slope = place.radius * vec2f(dot(first, along_x), dot(first, along_y));
     var curvature = vec3f(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
-               dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
-                   + second.y * along_x.y * along_y.y,
-               dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
+                            dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                                + second.y * along_x.y * along_y.y,
+                            dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= vec3f(place.radius * place.radius.x, place.radius.y * place.radius.y);
     let to_ridge = inverseSqrt(1.0 + height * height);
     return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,
@@ -346,4 +345,3 @@ fn gabor_ground(terrain: GaborTerrain) -> vec4f {
     let snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));
     return vec4f((1.0 - snow) * vec3f((1.0 - rock) * vec2f(1.0 - scree, scree), rock), snow);
 }
-

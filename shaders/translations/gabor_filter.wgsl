@@ -1,6 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
-// Constants that you may edit: GABOR_FILTER_GLSL.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -170,7 +169,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2f, s: vec3f, salt: u3
     let blurred = gabor_impl_symmetric(s, wave);
     var columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     var rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                         GABOR_RADIUS);
+                               GABOR_RADIUS);
     let turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     var columns_slope = columns; var rows_slope = rows; // DXC warns of structs that only a call sets
@@ -356,7 +355,7 @@ fn gabor_impl_next(f: GaborImplFactors) -> GaborImplFactors {
 // The weighted sum of the products of two axes' factors.
 fn gabor_impl_contracted(a: GaborImplFactors, b: GaborImplFactors, weights: vec3f) -> vec2f {
     return vec2f(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
-                dot(weights, a.real * b.imaginary + a.imaginary * b.real));
+                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
@@ -373,9 +372,9 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bo
     let step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     let step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
     let across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
-                                                            place.period.x, salt, step_x);
+                                          place.period.x, salt, step_x);
     let along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
-                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
+                                         place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     let columns = gabor_impl_columns(across);
     var line = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, vec2f(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
@@ -464,7 +463,7 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, lobes_in:
         let lobe = lobes.lobe[i];
         let unit = 1.0 / lobe.radius;
         let field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
-                                                gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+                                         gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
         gabor_impl_add_field(&sum, field, select(0.0, sqrt(lobe.power / power), power > 0.0), unit);
     }
     return sum;
@@ -553,4 +552,3 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequ
     gabor_impl_add_field(&field, sum, amplitude, stretch);
     return field;
 }
-

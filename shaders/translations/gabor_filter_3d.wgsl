@@ -1,6 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
-// Constants that you may edit: GABOR_FILTER_3D_GLSL.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
@@ -51,7 +50,7 @@ fn gabor_impl_symmetric_3d(m: GaborImplMatrix, v: vec3f) -> vec3f {
 // The inverse times the determinant.
 fn gabor_impl_adjugate(m: GaborImplMatrix, determinant: ptr<function, f32>) -> GaborImplMatrix {
     let a = GaborImplMatrix(m.diagonal.yzx * m.diagonal.zxy - m.mixed * m.mixed,
-                                        m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
+                            m.mixed.yzx * m.mixed.zxy - m.diagonal * m.mixed);
     *determinant = m.diagonal.x * a.diagonal.x + m.mixed.y * a.mixed.y + m.mixed.z * a.mixed.z;
     return a;
 }
@@ -60,15 +59,15 @@ fn gabor_impl_adjugate(m: GaborImplMatrix, determinant: ptr<function, f32>) -> G
 // along x. `w` is the coupling of y and z, z and x, x and y.
 fn gabor_impl_along_z(y_0: vec3f, y_1: vec3f, y_2: vec3f, w: vec3f) -> vec3f {
     return vec3f(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
-                w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
-                0.5 * (w.y * w.y * y_0.z + w.x * w.x * y_2.x) + w.x * w.y * (y_1.y + w.z * y_2.z));
+                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
+                 0.5 * (w.y * w.y * y_0.z + w.x * w.x * y_2.x) + w.x * w.y * (y_1.y + w.z * y_2.z));
 }
 
 // The weighted sum of the products of three axes' factors.
 fn gabor_impl_contracted_3d(y_0: GaborImplFactors, y_1: GaborImplFactors, y_2: GaborImplFactors, z: GaborImplFactors,
                             w: vec3f) -> vec2f {
     let slice = GaborImplFactors(gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
-                                              gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
+                                 gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w));
     return gabor_impl_contracted(slice, z, vec3f(1.0));
 }
 
@@ -84,13 +83,13 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
     adjugate = gabor_impl_adjugate(GaborImplMatrix(1.0 + m.diagonal / d, s.mixed / pairs), &determinant); // of 1 + C
     let w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     let x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                     place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
     let y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
-                                                       place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                     place.period.y, salt ^ GABOR_IMPL_ROWS,
+                                     gabor_impl_wave(wave.y / GABOR_RADIUS));
     let z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
-                                                       place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                     place.period.z, salt ^ GABOR_IMPL_SLICES,
+                                     gabor_impl_wave(wave.z / GABOR_RADIUS));
     let columns = gabor_impl_columns(x);
     let first = gabor_impl_line_before(y, vec2f(y.back.x, -y.back.y));
     var slice = gabor_impl_line_before(
@@ -187,7 +186,7 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4f>, slopes: ptr<function
     gabor_impl_add_products(sum, slice, z.node[0].xy);
     *slopes += vec4f(gabor_impl_product(slope.xy, z.node[0].xy), gabor_impl_product(slice.xy, z.node[0].zw));
     *sum += vec4f(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[0].zw)
-                + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
+                  + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
 }
 
 // The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
@@ -195,9 +194,9 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4f>, slopes: ptr<function
 fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3f, pixel: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
     var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     var z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     let turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     let blurred = gabor_impl_symmetric_3d(pixel, wave);
     var unused = x;
@@ -354,7 +353,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, freq
     let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
     let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     let x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     let x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     let x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -386,9 +385,8 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: ve
     for (var i = select(1, 0, aside > 0.25); i < select(1, 2, aside < 0.5); i++) {
         let power = gabor_impl_takeover(select(1.0 - smoothstep(0.25, 0.5, aside), smoothstep(0.25, 0.5, aside), i == 0));
         let field = gabor_impl_isotropic_filtered(place, dx, dy, frequency, gabor_impl_tangents(normal, i),
-                                                           gabor_lobe_seed(seed, i));
+                                                  gabor_lobe_seed(seed, i));
         gabor_impl_add_field_3d(&sum, field, sqrt(power), vec3f(1.0));
     }
     return sum;
 }
-

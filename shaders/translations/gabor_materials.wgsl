@@ -1,6 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
-// Constants that you may edit: GABOR_MATERIALS_GLSL.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -318,8 +317,8 @@ fn gabor_impl_turned(at: GaborImplPixel, angle: f32) -> GaborImplPixel {
         }
         size = abs(whole);
         let other = select(select(vec2f(-whole.y, 0.0),
-                       vec2f(0.0, whole.x), size.x == 1.0),
-                     select(-signs, signs, size.x > size.y), size.x > 1.0 && size.y > 1.0);
+                      vec2f(0.0, whole.x), size.x == 1.0),
+                    select(-signs, signs, size.x > size.y), size.x > 1.0 && size.y > 1.0);
         period.x = length(whole * at.period);
         period.y = at.period.x * at.period.y / period.x;
         x = period.x * vec2f(other.y, -other.x) / at.period;
@@ -436,7 +435,7 @@ fn gabor_impl_waves_pair(layer: GaborImplLayer) -> GaborImplPair {
 fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2f) -> vec4f {
     let window = 0.5 + damped * (value - 0.5);
     return vec4f(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
-                -9.8696044 * fade.x * (window - 0.5));
+                 -9.8696044 * fade.x * (window - 0.5));
 }
 
 // The nodes of an axis with its words.
@@ -507,9 +506,9 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3f, wanted: bool, salt: u32) -
     let rho = s.z * inverseSqrt(m.x * m.y); let r = sqrt(1.0 - rho * rho); let lambda = rho / (1.0 + r);
     let mixed = 78.956835 * s.z * r / (1.0 + r);
     let across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                            place.period.x, salt, vec2f(1.0, 0.0));
+                                          place.period.x, salt, vec2f(1.0, 0.0));
     let along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, vec2f(1.0, 0.0));
+                                         place.period.y, salt ^ GABOR_IMPL_ROWS, vec2f(1.0, 0.0));
     let x_0 = gabor_impl_spots_line(across, 0); let x_1 = gabor_impl_spots_line(across, 1);
     let x_2 = gabor_impl_spots_line(across, 2); let x_3 = gabor_impl_spots_line(across, 3); var x_4 = x_3;
     if (across.count == 5) { x_4 = gabor_impl_spots_line(across, 4); }
@@ -601,7 +600,11 @@ fn gabor_impl_filtered_spots(layer: GaborImplLayer) -> GaborImplPair {
 
 fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborImplPairs>, layer: GaborImplLayer) {
     let pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) { (*sum).pair_0 = gabor_impl_plus((*sum).pair_0, pair, layer.amplitude); } else if (layer.slot == 1) { (*sum).pair_1 = gabor_impl_plus((*sum).pair_1, pair, layer.amplitude); } else if (layer.slot == 2) { (*sum).pair_2 = gabor_impl_plus((*sum).pair_2, pair, layer.amplitude); } else if (layer.slot == 3) { (*sum).pair_3 = gabor_impl_plus((*sum).pair_3, pair, layer.amplitude); } else { (*sum).pair_4 = gabor_impl_plus((*sum).pair_4, pair, layer.amplitude); }
+    if (layer.slot == 0) { (*sum).pair_0 = gabor_impl_plus((*sum).pair_0, pair, layer.amplitude); }
+    else if (layer.slot == 1) { (*sum).pair_1 = gabor_impl_plus((*sum).pair_1, pair, layer.amplitude); }
+    else if (layer.slot == 2) { (*sum).pair_2 = gabor_impl_plus((*sum).pair_2, pair, layer.amplitude); }
+    else if (layer.slot == 3) { (*sum).pair_3 = gabor_impl_plus((*sum).pair_3, pair, layer.amplitude); }
+    else { (*sum).pair_4 = gabor_impl_plus((*sum).pair_4, pair, layer.amplitude); }
 }
 
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
@@ -795,7 +798,7 @@ fn gabor_impl_cloth(pixel: GaborImplPixel, fabric: GaborFabric, seed: u32) -> Ga
 // The thickness and course of threads along y and x, and their fibres.
 fn gabor_impl_fabric_layer(i: i32, cloth: GaborImplPixel, count: vec2f, seed: u32) -> GaborImplLayer {
     let density = select(select(select(vec2f(2.0, 14.0) * count, vec2f(14.0, 2.0) * count, i == 2),
-                                                       vec2f(1.1, 0.7 * count.y), i == 1), vec2f(0.7 * count.x, 1.1), i == 0);
+                                                      vec2f(1.1, 0.7 * count.y), i == 1), vec2f(0.7 * count.x, 1.1), i == 0);
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
@@ -819,7 +822,7 @@ fn gabor_impl_thread(across: vec3f, thick: vec3f, along: vec3f, bend: f32, level
     let side = sqrt(max(square, 0.0)); let turn = select(3.1415927 * along.x, 0.0, level);
     let slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
     return vec3f(side - select(1.0, 2.0, square < 0.0) + 0.55 * bend * cos(turn),
-                select(slope, vec2f(0.0), square < 0.0) - 1.7278760 * bend * sin(turn) * along.yz);
+                 select(slope, vec2f(0.0), square < 0.0) - 1.7278760 * bend * sin(turn) * along.yz);
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
@@ -1046,14 +1049,14 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborImplPixel, stone: GaborImplPixel,
     if (i < 3) { return gabor_impl_octave(stone, vec2f(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8)); }
     if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(75.0), seed, 9); }
     let vein = select(select(select(vec3f(13.0, 0.9, 0.2), vec3f(4.5, 0.95, 0.95), i == 6),
-                                                  vec3f(0.95, 0.85, 0.65), i == 5), vec3f(1.9, 0.95, -0.45), i == 4);
+                                                 vec3f(0.95, 0.85, 0.65), i == 5), vec3f(1.9, 0.95, -0.45), i == 4);
     return gabor_impl_waves_layer(2, stone, vec2f(vein.x), vein.y, vein.z, seed, select(select(i, 4, i == 5), 5, i == 4));
 }
 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborImplPair) -> GaborMaterial {
     let clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
     let colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
-                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
+                                  gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
@@ -1262,8 +1265,8 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborImplPairs) -> GaborMaterial {
     // where it is small, a constant softness would blur the edge
     let intensity = length(vec2f(of_.pair_2.first.x, of_.pair_2.second.x));
     let dark = gabor_impl_above(of_.pair_2.first + ragged * intensity * of_.pair_0.first,
-                                  of_.pair_2.removed + ragged * ragged * intensity * intensity * of_.pair_0.removed, 0.0,
-                                  0.01 + 0.09 * intensity).x;
+                                of_.pair_2.removed + ragged * ragged * intensity * intensity * of_.pair_0.removed, 0.0,
+                                0.01 + 0.09 * intensity).x;
     let tones = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.14 * zebra.hair)
                + gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.08);
     let colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
@@ -1323,7 +1326,7 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborImplPairs) -> GaborMaterial {
     let both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(vec3f(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
     let lost = (deep * deep + 0.00011664 * of_.pair_0.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of_.pair_2.lost + 0.04 * of_.pair_0.lost, -0.15, 0.35)
-                 + 0.3025 * rises * gabor_impl_line_lost(of_.pair_3.first, of_.pair_3.removed, of_.pair_3.lost, 0.13))
+                + 0.3025 * rises * gabor_impl_line_lost(of_.pair_3.first, of_.pair_3.removed, of_.pair_3.lost, 0.13))
               + (0.000324 * coarses + both) * of_.pair_0.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
@@ -1356,7 +1359,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborImplPixel, rock: GaborImplPixel, 
         return gabor_impl_octave(pixel, vec2f(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     }
     let density = select(select(select(vec2f(0.6, 8.3333333), vec2f(0.25, 2.8333333), i == 6),
-                                                    vec2f(0.14, 1.0), i == 5), vec2f(0.1, 0.33333333), i == 4);
+                                                   vec2f(0.14, 1.0), i == 5), vec2f(0.1, 0.33333333), i == 4);
     return gabor_impl_spots_layer(i - 3, rock, density * vec2f(1.0, strata.layers), seed, i - 1);
 }
 
@@ -1365,7 +1368,7 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborImplPairs) -> GaborMaterial 
     let tones = gabor_impl_tone(of_.pair_4.first.x, of_.pair_4.removed, 0.13)
                + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.11);
     var colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
-                      gabor_impl_above(of_.pair_1.first, of_.pair_1.removed, 0.0, 0.5).x);
+                     gabor_impl_above(of_.pair_1.first, of_.pair_1.removed, 0.0, 0.5).x);
     colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
     colour = mix(colour, gabor_impl_toned(strata.pale, tones),
                  0.75 * gabor_impl_above(of_.pair_3.first, of_.pair_3.removed, 1.0, 0.2).x);
@@ -1508,7 +1511,8 @@ fn gabor_bark_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, bark: G
     }
     for (var j = 6; j < 8; j++) {
         let pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) { of_.pair_2 = pair; } else { of_.pair_3 = pair; }
+        if (j == 6) { of_.pair_2 = pair; }
+        else { of_.pair_3 = pair; }
     }
     return gabor_impl_bark(bark, of_);
 }
@@ -1634,4 +1638,3 @@ fn gabor_carbon_fibre_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> Gab
 fn gabor_strata_filtered(p: vec2f, dx: vec2f, dy: vec2f, seed: u32) -> GaborMaterial {
     return gabor_strata_filtered_at(p, dx, dy, vec2f(0.0), gabor_strata_default(), seed);
 }
-

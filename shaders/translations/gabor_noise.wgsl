@@ -1,5 +1,4 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// Constants that you may edit: GABOR_NOISE_GLSL.
 // For another GABOR_TAPS: tools/translate wgsl shaders/gabor_noise.glsl -DGABOR_TAPS=NUMBER -o FOLDER
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
@@ -219,7 +218,7 @@ fn gabor_impl_add_products(sums: ptr<function, vec4f>, pair: vec4f, z: vec2f) {
 fn gabor_impl_half_turn(t: f32) -> vec2f {
     let s = t * t; let r = s * s;
     return vec2f((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
-                t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
+                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
@@ -402,7 +401,7 @@ fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
     let nodes = max(floor(side * GABOR_RADIUS + 0.5), vec2f(f32(GABOR_TAPS)));
     var place = gabor_place(vec2i(0), vec2f(0.0));
     place.radius = vec2f(select(GABOR_RADIUS, nodes.x / side.x, period.x > 0.0),
-                        select(GABOR_RADIUS, nodes.y / side.y, period.y > 0.0));
+                         select(GABOR_RADIUS, nodes.y / side.y, period.y > 0.0));
     place.period = vec2i(select(0, i32(nodes.x), period.x > 0.0), select(0, i32(nodes.y), period.y > 0.0));
     place.local = p * place.radius;
     return place;
@@ -458,4 +457,3 @@ fn gabor_stripes(p: vec2f, wave: vec2f, sharpness: f32, seed: u32) -> vec3f {
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
-

@@ -1,6 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_NOISE_3D_GLSL.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a
 // normal distribution at every point.
@@ -166,9 +165,9 @@ fn gabor_field_3d(place: GaborPlace3d, wave_in: vec3f, seed: u32) -> GaborField3
     let salt = gabor_impl_salt(seed);
     let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     let turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     var sum = vec4f(0.0); var slopes = vec4f(0.0);
     gabor_impl_add_slice(&sum, &slopes, x, y, z, 0, place.moment);
@@ -321,7 +320,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborImpl
     let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
     let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                      GABOR_RADIUS);
+                            GABOR_RADIUS);
     let stretch = place.radius / GABOR_RADIUS; let scale = min(abs(frequency), 1.0e6) / stretch;
     var sum = GaborField3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0);
     for (var i = 0; i < 9; i++) {
@@ -361,4 +360,3 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal_in: vec3f, frequenc
     }
     return sum;
 }
-

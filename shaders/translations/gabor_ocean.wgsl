@@ -1,6 +1,6 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_OCEAN_GLSL, GABOR_OCEAN_BANDS.
+// Constants that you may edit: GABOR_OCEAN_BANDS.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, alike on CPU and GPU.
 //
@@ -225,8 +225,8 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
         let spread = gabor_impl_band_spread(power);
         var band: GaborOceanBand;
         let tall = select(select(power.sum.x,
-                       0.0, low > 262144.0 /* below 0.1 m, waves are capillary */),
-                     0.0625 * ocean.swell.x * ocean.swell.x, remote);
+                     0.0, low > 262144.0 /* below 0.1 m, waves are capillary */),
+                   0.0625 * ocean.swell.x * ocean.swell.x, remote);
         band.amplitude = sqrt(tall);
         // (4 pi^2 / g)^2
         band.slopes = 16.195056 * tall * power.sum.y / power.sum.x * vec2f(spread.along, 1.0 - spread.along);
@@ -241,8 +241,8 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
         band.spread = spread.spread;
         band.widen = spread.widen;
         let speed = select(32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
-                                           * exp2(-f32(band.exponent)),
-                      0.0, ocean.loop_ > 0);
+                                         * exp2(-f32(band.exponent)),
+                    0.0, ocean.loop_ > 0);
         band.drift = vec2i(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
         ocean.band[i] = band;
     }
@@ -315,8 +315,8 @@ fn gabor_impl_ocean_waves(band: GaborOceanBand, word: vec4u, normal: bool, headi
     let share = vec4f(bits >> vec4u(22u)); let u = vec4f(vec4i(bits << vec4u(10u)) >> vec4u(21));
     let w = vec4f(vec4i(bits << vec4u(21u)) >> vec4u(21));
     let rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, vec4f(0.0))
-                      + band.early.z * max(share - 256.0, vec4f(0.0)) + band.late.x * max(share - 512.0, vec4f(0.0))
-                      + band.late.y * max(share - 768.0, vec4f(0.0)) + band.late.z * max(share - 960.0, vec4f(0.0)));
+                     + band.early.z * max(share - 256.0, vec4f(0.0)) + band.late.x * max(share - 512.0, vec4f(0.0))
+                     + band.late.y * max(share - 768.0, vec4f(0.0)) + band.late.z * max(share - 960.0, vec4f(0.0)));
     let bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u));
     let angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
     let part = trunc(1.220703125e-4 * angle); let lag = trunc(4.8828125e-4 * part * part);
@@ -376,7 +376,7 @@ fn gabor_water_at(cell: vec2i, local: vec2f, second: i32, fraction: f32, dx: vec
     var water = GaborWater(0.0, vec2f(0.0), vec2f(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     var squeeze = vec3f(0.0);
     let quantum = select(vec2f(1.0),
-                   vec2f(f32(65536 / max(ocean.loop_, 1)), 1.52587890625e-5 * f32(ocean.loop_)), ocean.loop_ > 0);
+                  vec2f(f32(65536 / max(ocean.loop_, 1)), 1.52587890625e-5 * f32(ocean.loop_)), ocean.loop_ > 0);
     let area = dx.x * dy.y - dx.y * dy.x; let sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     let least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (var i = 0; i < select(GABOR_OCEAN_BANDS, GABOR_OCEAN_BANDS + 1, ocean.swell.x > 0.0); i++) {
@@ -404,4 +404,3 @@ fn gabor_water_height(p: vec2f, seconds: f32, ocean: GaborOcean, seed: u32) -> f
     for (var i = 0; i < 6; i++) { water = gabor_water(p - water.shift, seconds, ocean, seed); }
     return water.height;
 }
-

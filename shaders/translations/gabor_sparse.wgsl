@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// Constants that you may edit: GABOR_SPARSE_GLSL, GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES, GABOR_WINDOW.
+// Constants that you may edit: GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES, GABOR_WINDOW.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
 // every point.
@@ -403,4 +403,3 @@ fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32,
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
-

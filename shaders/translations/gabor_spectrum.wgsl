@@ -1,6 +1,6 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
 // Paste it after gabor_noise.wgsl.
-// Constants that you may edit: GABOR_SPECTRUM_GLSL, GABOR_LOBES.
+// Constants that you may edit: GABOR_LOBES.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
 //
@@ -132,7 +132,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes_in: GaborLobes, seed: u32) -> Gabo
     for (var i = 0; i < min(lobes.count, GABOR_LOBES); i++) {
         let lobe = lobes.lobe[i];
         let field = gabor_field(gabor_impl_stretched(place, lobe.radius), gabor_impl_lobe_wave(lobe),
-                                       gabor_lobe_seed(seed, i));
+                                gabor_lobe_seed(seed, i));
         gabor_impl_add_field(&sum, field, select(0.0, sqrt(lobe.power / power), power > 0.0), 1.0 / lobe.radius);
     }
     return sum;
@@ -252,7 +252,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency_in: f32, seed: u32) -> Gab
     let salt = gabor_impl_salt(seed);
     var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
+                            place.radius.y);
     let stretch = place.radius / GABOR_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
@@ -326,4 +326,3 @@ fn gabor_profile_pulse(stripes: vec2f, duty: f32) -> f32 {
     let ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_pulse_integral(ends.y, duty) - gabor_impl_pulse_integral(ends.x, duty));
 }
-

@@ -20,6 +20,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 COMPILER = os.environ.get("CXX", "c++")
+DAWN, SWIFTSHADER = HERE.parent / "engines" / "dawn", pathlib.Path("/usr/lib/chromium/vk_swiftshader_icd.json")
 SCENE = pathlib.Path(os.environ.get("GABOR_SCENES", "nowhere")) / "scene_vulkan"  # runs SPIR-V
 LANGUAGES = ["hlsl", "metal", "hpp", "wgsl", "gdshaderinc"]
 
@@ -93,7 +94,7 @@ WGSL = [
     ("a choice that guards a division", "int n = int(floor(x)); return float(n == 0 ? 7 : 12 / n);", lambda x: 7 if 0 <= x < 1 else int(12 / math.floor(x))),
     ("a choice over lines", "return x < 0.0 ? -1.0 // below\n                : x > 2.0\n                ? 1.0 /* above */ : 0.0;",
      lambda x: -1 if x < 0 else 1 if x > 2 else 0),
-    ("continue before a test at the end", "int i = 0; do { ++i; if (i == 2) continue; x += float(i); } while (i < 4); return x;", lambda x: x + 8),
+    ("continue before a test at the end", "int i = 0; do { ++i; if (i == 4) continue; x += float(i); } while (i < 4); return x;", lambda x: x + 6),
     ("-- in a test at the end", "int k = 4; do x += 1.0; while (--k > 0); return x;", lambda x: x + 4),
     ("a loop without parts", "int i = 0; for (;;) { if (i == 3) break; i++; } while (i < 9) { i += 2; } return x + float(i);", lambda x: x + 9),
     ("else after two conditions", "if (x > 0.0) if (x > 1.0) return 3.0; else return 2.0; return 1.0;", lambda x: 3 if x > 1 else 2 if x > 0 else 1),
@@ -154,7 +155,7 @@ WGSL = [
     ("an error", "\n#ifndef TRY_NEVER\n#error Define TRY_NEVER\n#endif\nfloat try_value(float x) { return x; }", r":3: Define \w+"),
     ("an unknown macro in a condition", "#if TRY_NEVER > 2\n#endif\nfloat try_value(float x) { return x; }", r":1: #if \w+ > 2 has no translation"),
     ("a call within a constant", "float try_f() { return 1.0; }\nconst float try_one = try_f();\nfloat try_value(float x) { return x * try_one; }", ":2: a call within a constant"),
-    ("a reserved name beside its substitute", "float let = x, let_ = 1.0; return let + let_;", ": let, which WGSL reserves, beside let_"),
+    ("a reserved name beside its substitute", "float let = x;\nfloat let_ = 1.0; return let + let_;", ":2: let_ beside let, which WGSL reserves,"),
 ]
 # What all languages refuse: GLSL that is wrong, and GLSL that some language lacks.
 REFUSED = [
@@ -306,14 +307,20 @@ int main() {{
         values = subprocess.run([program], capture_output=True, text=True, check=True).stdout
         return np.array(values.split(), float).reshape(len(accepted), 256)
 
-    def run_spirv(self, ending, x, start, end, command):
-        """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
+    def shader(self, ending, x, start, end):
+        """Writes a compute shader with all snippets, and returns it with what they return."""
         accepted = list(self.accepted(ending)) if ending in LANGUAGES else [
             (number, snippet(text, number), wanted) for number, _, text, wanted, *_ in snippets(ending)]
         text = "\n".join([*(made for _, made, _ in accepted), start])
         text += "".join(f"    if (pixel.y == {row}u) {{ value = try{number}_value({x}); }}\n" for row, (number, *_) in enumerate(accepted))
-        shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
+        shader = self.folder / f"shader.{ending}"
         shader.write_text(text + end)
+        return shader, accepted
+
+    def run_spirv(self, ending, x, start, end, command):
+        """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
+        shader, accepted = self.shader(ending, x, start, end)
+        spirv, values = shader.with_suffix(".spv"), shader.with_suffix(".raw")
         said = subprocess.run(["sh", "-c", command, shader, spirv], capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
         subprocess.run(["spirv-val", "--target-env", "vulkan1.1", spirv], check=True)
@@ -339,13 +346,25 @@ RWStructuredBuffer<float> values : register(u0);
     float value = 0.0;
 """, "    values[pixel.y * 256 + pixel.x] = value;\n}\n", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
 
-    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
-    def test_wgsl(self):
-        self.run_spirv("wgsl", "(f32(pixel.x) + 0.5) / 32.0 - 4.0", """
+    WGSL_SHADER = "wgsl", "(f32(pixel.x) + 0.5) / 32.0 - 4.0", """
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     var value = 0.0;
-""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
+""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n"
+
+    @unittest.skipUnless((DAWN / "node_modules").exists() and SWIFTSHADER.exists(), "Dawn is not installed: tools/test-engines dawn installs it")
+    def test_wgsl_by_tint(self):
+        """Tint is stricter than naga about parentheses."""
+        shader, accepted = self.shader(*self.WGSL_SHADER)
+        values = shader.with_suffix(".raw")
+        said = subprocess.run(["node", DAWN / "run.mjs", values, shader, str(len(accepted)), "1"], capture_output=True, text=True,
+                              env=os.environ | {"VK_ICD_FILENAMES": str(SWIFTSHADER)})
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.check(np.fromfile(values, "<f4").reshape(-1, 256), accepted)
+
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
+    def test_wgsl_by_naga(self):
+        self.run_spirv(*self.WGSL_SHADER, 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
 
     def test_godot(self):
         """Godot's language has everything that is translated, so only small numbers, the names of variables and numbers beside
@@ -359,8 +378,8 @@ RWStructuredBuffer<float> values : register(u0);
 
 
 class Functions(unittest.TestCase):
-    def test_cpp_has_each_function_for_each_size(self):
-        """gabor_vectors.hpp must have each function that is translated, for numbers, where GLSL ES has it, and vectors."""
+    def calls(self):
+        """Returns GLSL with each function that is translated, for numbers, where GLSL ES has it, and vectors."""
         counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross"], 2)
         lines = ["step(0.5, vec2(x)); smoothstep(0.0, 1.0, vec4(x)); mix(vec3(x), vec3(1.0), 0.5); atan(vec2(x), vec2(1.0)); sign(-2); abs(-1);",
                  "abs(ivec3(-1)); min(1, 2); min(uvec2(1u), uvec2(2u)); max(1u, 2u); clamp(1, 2, 3); clamp(ivec4(1), ivec4(0), ivec4(2));"]
@@ -372,11 +391,23 @@ class Functions(unittest.TestCase):
                 lines.append(f"{name}({', '.join(given)});")
             if name in ("min", "max", "clamp"):
                 lines.append(f"{name}({glsl.TYPES['float', size]}(x){', 1.0' * (counts[name] - 1)});")
-        tree = glsl.Shader("void gabor_all(float x) {" + "\n".join(lines) + "}\n", "all.glsl")
+        self.assertGreater(len(lines), 100)
+        return "void gabor_all(float x) {" + "\n".join(lines) + "}\n"
+
+    def test_cpp_has_each_function_for_each_size(self):
+        tree = glsl.Shader(self.calls(), "all.glsl")
         said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", translate.TRANSLATIONS, "-x", "c++", "-"],
                               input='#include "gabor_vectors.hpp"\n' + translate.Cpp(tree).text(), capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertGreater(len(lines), 100)
+
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
+    def test_wgsl_has_each_function_for_each_size(self):
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            path, made = (pathlib.Path(folder) / f"all.{ending}" for ending in ("glsl", "wgsl"))
+            path.write_text(self.calls())
+            made.write_text(translate.translation(path, "wgsl"))
+            said = subprocess.run(["naga", made], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
 
 
 class Nodes(unittest.TestCase):
@@ -409,7 +440,7 @@ class Program(unittest.TestCase):
             functions = {item.name.text for item in translate.shader(path).items if item.kind in ("function", "struct")}
             self.assertGreater(len(functions), 3)
             for ending in LANGUAGES:
-                words = {token.text for token in glsl.tokens((ROOT / "shaders" / "translations" / f"{path.stem}.{ending}").read_text())}
+                words = {token.text for token in glsl.tokens(translate.translation(path, ending))}
                 lacking += [(ending, function) for function in sorted(functions - words)]
         self.assertEqual({ending for ending, _ in lacking}, {"wgsl"})
         self.assertTrue(all("direction" in function for _, function in lacking), lacking)
@@ -428,10 +459,13 @@ class Program(unittest.TestCase):
                 return said if said[0] else (pathlib.Path(folder) / f"{name}.wgsl").read_text()
             two = made("gabor_noise", "-DGABOR_TAPS=2")
             self.assertIn("const GABOR_TAPS: i32 = 2;\n", two)
-            self.assertIn("    const_assert GABOR_TAPS == 2;\n", two)
+            self.assertIn("const_assert GABOR_TAPS == 2;\n", two)
+            self.assertNotIn("you may edit", two)
             self.assertNotIn("1.0966099", two)
             self.assertIn("1.0966099", made("gabor_noise"))
-            self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", made("gabor_spectrum", "-DGABOR_LOBES=6"))
+            lobes = made("gabor_spectrum", "-DGABOR_LOBES=6")
+            self.assertIn("// Constants that you may edit: GABOR_LOBES.\n", lobes)
+            self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", lobes)
             self.assertEqual(made("gabor_filter", "-DGABOR_TAPS=2"), (1, "translate: shaders/gabor_filter.glsl:28: gabor_filter.glsl needs GABOR_TAPS 3\n"))
             self.assertEqual(made("gabor_noise", "-DGABOR_TAP=2"), (1, "translate: -DGABOR_TAP=2: no file has this macro\n"))
             self.assertEqual(self.run_program("hlsl", "-DGABOR_TAPS=2", "-o", folder)[0], 2)
@@ -444,7 +478,7 @@ class Program(unittest.TestCase):
     def test_check_of_a_folder(self):
         """--check -o compares the files of another folder."""
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-            shutil.copytree(ROOT / "shaders" / "translations", folder, dirs_exist_ok=True)
+            self.assertEqual(self.run_program(ROOT / "shaders" / "gabor_noise.glsl", "-o", folder), (0, ""))
             (pathlib.Path(folder) / "gabor_noise.hlsl").write_text("old")
             said = subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", "--check", "-o", folder, ROOT / "shaders" / "gabor_noise.glsl"],
                                   capture_output=True, text=True)
