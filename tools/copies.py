@@ -6,6 +6,8 @@ import math
 import pathlib
 import re
 
+import glsl
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
 # The page that contains shaders: it opens from disk, where a browser cannot read other files.
@@ -76,6 +78,12 @@ SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seas
 SEA_MACROS = "GABOR_OCEAN_BANDS=12",
 
 
+def brief(text):
+    """Returns a shader for the page: its first line, its license and the code, without the manual and other comments."""
+    title, code, license = text.partition("\n")[0], glsl.without_comments(text), re.search("// Copyright.*", text)
+    return "\n".join([title, *([license[0]] if license else []), *filter(None, code.split("\n"))]) + "\n"
+
+
 def made(shader, in_wgsl):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
     before it."""
@@ -86,4 +94,5 @@ def made(shader, in_wgsl):
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
     for i, path in enumerate(SEA):
         texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=SEA_MACROS, before=(ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i]))
+    texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl"))}
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())
