@@ -85,6 +85,7 @@ GaborBoards gabor_boards_default() {
 // normal distribution functions with the standard deviation 1 / scale.
 vec2 gabor_impl_joint(float x, float gap, float scale) {
     vec2 t = clamp(scale * vec2(x + 0.5 * gap, x - 0.5 * gap), -10.0, 10.0), density = exp(-0.5 * t * t);
+    // 0.39894228 is 1/sqrt(2 pi)
     return vec2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228 * scale * (density.x - density.y));
 }
 
@@ -124,6 +125,7 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     vec2 back = vec2(turn.x, -turn.y);
     vec2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     vec2 boards_wide = min(wide / (size * size), 4.0);
+    // 19.739209 is 2 pi^2
     float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);

@@ -78,7 +78,7 @@ void gabor_impl_add_directed_wave(inout GaborField sum, vec2 amplitude, vec2 wav
     vec2 a = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
     vec2 value = x.x * y.x * a, slope = vec2(x.y * y.x, x.x * y.y);
     sum.noise += value.y;
-    sum.gradient += a.y * slope + 6.2831853 * value.x * wave;
+    sum.gradient += a.y * slope + 6.2831853 * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * slope - 6.2831853 * value.y * wave;
 }

@@ -164,13 +164,16 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, curvature_x, vec3(y.w, slope_y.w, curvature_y.w));
     vec4 s = clamp(vec4(dx, dy), -1.0e9, 1.0e9);
     float area = s.x * s.w - s.y * s.z;
+    // 0.34768212 is (2/3) / (151/315) / 4 and 0.12088286 is ((2/3) / (151/315) / 4)^2
     float kept = inversesqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);
     float unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    // 3.1582734 is (0.8 pi)^2 / 2
     vec2 noise = unit * hills.value, wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
     float rough = 0.3 + 0.12 * noise.x, height = noise.x + rough * wave.y;
     // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
     // by ab and bb:
-    vec2 first = 0.33 * unit * vec2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    vec2 first = 0.33 * unit * vec2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x); // 0.8 pi
+    // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     vec2 second = 0.33 * unit * unit * vec2(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     vec2 along_x = hills.slope_x, along_y = hills.slope_y;
     vec2 slope = place.radius * vec2(dot(first, along_x), dot(first, along_y));
@@ -284,7 +287,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         vec2 bend = frequency / steep * vec2(dot(across, steer_x), dot(across, steer_y));
         vec2 steps = vec2(dot(wave, dx), dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
-        float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0);
+        float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0); // pi^2 / 2
         vec2 z = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0), kept_slope = vec2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
@@ -294,7 +297,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
             z *= shrink;
             z_x = shrink * erosion.uniformity * (field.along_x - bend.x * field.bent);
             z_y = shrink * erosion.uniformity * (field.along_y - bend.y * field.bent);
-            kept_slope = 9.8696044 * share * dot(steps, vec2(dot(down, dx), dot(down, dy))) * bend;
+            kept_slope = 9.8696044 * share * dot(steps, vec2(dot(down, dx), dot(down, dy))) * bend; // pi^2
             z_x = kept * (z_x - dot(z, z_x) * z) + kept_slope.x * z;
             z_y = kept * (z_y - dot(z, z_y) * z) + kept_slope.y * z;
             z *= kept;
@@ -306,7 +309,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         sum += depth * gully;
         sum_slope += depth * gully_slope;
         float side = z.y < 0.0 ? -1.0 : 1.0;
-        float turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
+        float turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side; // 2 pi
         float turn = turns * kept * mask;
         vec2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;

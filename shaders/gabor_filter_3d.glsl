@@ -79,6 +79,7 @@ vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImplFactors y_1, GaborI
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImplMatrix s, bool wanted, uint salt) {
     float determinant;
+    // 0.13069097 is 1/3 - 2/pi^2
     GaborImplMatrix m = GaborImplMatrix(s.diagonal + 0.13069097, s.mixed); // S + v
     GaborImplMatrix adjugate = gabor_impl_adjugate(m, determinant);
     vec3 blurred = gabor_impl_symmetric_3d(s, wave);
@@ -86,6 +87,7 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
     vec3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     vec3 pairs = sqrt(d.yzx * d.zxy);
     adjugate = gabor_impl_adjugate(GaborImplMatrix(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
+    // 157.91367 is 16 pi^2
     vec3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
                                                        place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -128,12 +130,14 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
     // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
     // w / 4g times the next factor of the other axes.
     vec3 real = vec3(next_x.x, next_y.x, next_z.x), imaginary = vec3(next_x.y, next_y.y, next_z.y);
+    // 0.012665148 is 1/(8 pi^2)
     vec3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborImplMatrix(vec3(0.0), w), real);
     imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborImplMatrix(vec3(0.0), w), imaginary);
     float exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
     float scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
+    // 6.2831853 is 2 pi
     return GaborField3d(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary,
                         0.0);
 }
@@ -169,14 +173,14 @@ GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 vec2 gabor_impl_spread(GaborImplPixelAxes pixel) {
-    return 1.0 + 1.6449341 * vec2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
+    return 1.0 + 1.6449341 * vec2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor)); // pi^2 / 6
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
 float gabor_impl_transmitted_3d(vec3 wave, GaborImplPixelAxes pixel) {
     vec2 d = gabor_impl_spread(pixel);
     vec2 k = vec2(dot(wave, pixel.major), dot(wave, pixel.minor));
-    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inversesqrt(d.x * d.y);
+    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inversesqrt(d.x * d.y); // pi^2
 }
 
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
@@ -215,7 +219,7 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborI
         z.word[0] = z.word[1];
         z.word[1] = z.word[2];
     }
-    return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave);
+    return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave); // 2 pi^2
 }
 
 GaborField3d gabor_field_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 wave, uint seed) {
@@ -268,7 +272,7 @@ struct GaborImplFilteredNode {
 GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float variance) {
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     float t = clamp((1.0 - abs(node.offset)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
-    float fall = fade * exp(-4.934802 * variance);
+    float fall = fade * exp(-4.934802 * variance); // pi^2 / 2
     float faded = -6.0 / width * t * (1.0 - t) * sign(node.offset) / max(fade, 1.0e-6);
     return GaborImplFilteredNode(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
 }
@@ -283,18 +287,18 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNo
     vec3 sine = vec3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
     a *= exp(-max(dot(wave.xyz, s), 0.0));
     s = clamp(s, -3.0, 3.0); // changes no wave that the filter keeps
-    vec3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
-    vec3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r)), h = middle + cosine;
+    vec3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r); // 1/24
+    vec3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r)), h = middle + cosine; // 1/6, 1/120
     float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
     h = middle + even * cosine;
-    vec3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
+    vec3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine; // 1/pi, pi
     vec3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
     vec2 value =
         gabor_impl_product(vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     vec3 faded = vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
-    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz;
+    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
 }
@@ -317,7 +321,7 @@ void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredN
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel, GaborImplTangents tangents) {
     vec2 d = gabor_impl_spread(pixel);
-    vec2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
+    vec2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d; // pi^2
     float mean;
     if (tangents.only) {
         vec2 a = vec2(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
@@ -327,6 +331,7 @@ float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel
     } else {
         vec2 q = unit * vec2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
         float larger = max(q.x, q.y), smaller = min(q.x, q.y);
+        // fit: see tools/constants.py
         mean = sqrt((1.0 + larger * (0.31500545 + 0.08868891 * larger))
                     / (1.0 + larger * (0.98167212 + larger * (0.42128292 + 0.11292425 * larger))));
         mean *= gabor_impl_mean_angle(smaller * (1.0 - 1.0 / (3.0 + 0.8 * larger)));

@@ -292,7 +292,7 @@ vec4 gabor_impl_radii(GaborImplPixel at, vec2 density) {
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
-    amplitude /= 1.0 + 0.82246703 * size;
+    amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
@@ -308,7 +308,7 @@ GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, 
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
-    vec2 turn = gabor_impl_wave(0.15915494 * angle);
+    vec2 turn = gabor_impl_wave(0.15915494 * angle); // 1/(2 pi)
     vec2 x = turn;
     vec2 y = vec2(-turn.y, turn.x);
     vec2 period = vec2(0.0);
@@ -342,7 +342,7 @@ vec2 gabor_impl_repeated(GaborImplPixel pixel, float count, float whole) {
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
 float gabor_impl_sine_kept(GaborImplPixel at, float count) {
-    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
+    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0)); // pi^2 / 2
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -372,6 +372,7 @@ GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density,
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GaborImplLayer gabor_impl_octave(GaborImplPixel at, vec2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
+    // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0),
                           pow(gain, float(i)) * inversesqrt(power), gabor_lobe_seed(seed, i));
 }
@@ -437,6 +438,7 @@ GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
 // derivatives of both.
 vec4 gabor_impl_spots_node(float value, float slope, float damped, vec2 fade) {
     float window = 0.5 + damped * (value - 0.5);
+    // 9.8696044 is pi^2
     return vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
                 -9.8696044 * fade.x * (window - 0.5));
 }
@@ -451,8 +453,8 @@ struct GaborImplSpotsAxis {
 
 GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
     float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
-    float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
-    vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-offset, offset)) / width, 0.0, 1.0);
+    float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05); // pi^2 / 2
+    vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-offset, offset)) / width, 0.0, 1.0); // 1/3, 2/3
     vec2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * vec2(-1.0, 1.0);
     vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
@@ -505,9 +507,9 @@ void gabor_impl_add_spot(inout GaborImplSpotsRow row, GaborImplSpotsLine x, uint
 }
 
 GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint salt) {
-    vec2 m = s.xy + 0.13069097;
+    vec2 m = s.xy + 0.13069097; // 1/3 - 2/pi^2
     float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
-    float mixed = 78.956835 * s.z * r / (1.0 + r);
+    float mixed = 78.956835 * s.z * r / (1.0 + r); // 8 pi^2
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
                                                             place.period.x, salt, vec2(1.0, 0.0));
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
@@ -535,6 +537,7 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
         edge_y += y.fade.y * sum;
     } while (++j < rows);
     vec2 before = lambda * sqrt(m.yx / m);
+    // 6.2831853 is 2 pi
     vec2 x = edge_x - 6.2831853 * (next_x - before.x * next_y), y = edge_y - 6.2831853 * (next_y - before.y * next_x);
     float scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     return GaborField(scale * value.y, scale * vec2(x.y, y.y), scale * value.x, scale * vec2(x.x, y.x), 0.0);
@@ -577,10 +580,10 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint se
 // (1 + 2/3 pi^2 S)^-1 F.
 GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+    vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance; // 2/3 pi^2
     vec3 inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
-    vec3 whole = vec3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
+    vec3 whole = vec3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
     vec3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
     return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
@@ -612,6 +615,7 @@ void gabor_impl_add_filtered_spots(inout GaborImplPairs sum, GaborImplLayer laye
 // The normal distribution function, within 2e-5.
 float gabor_impl_below(float x) {
     x = clamp(x, -8.0, 8.0);
+    // fit: see tools/constants.py
     return 1.0 / (1.0 + exp2(-x * (2.301726 + x * x * (0.1061787 - 0.00091164 * x * x))));
 }
 
@@ -619,7 +623,7 @@ float gabor_impl_below(float x) {
 vec3 gabor_impl_above(vec3 noise, float removed, float threshold, float softness) {
     float scale = inversesqrt(softness * softness + removed);
     float x = scale * noise.x - scale * threshold;
-    return vec3(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz);
+    return vec3(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz); // 1/sqrt(2 pi)
 }
 
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
@@ -631,7 +635,8 @@ float gabor_impl_removed_square(float square, float mean, float removed) {
 vec3 gabor_impl_above_lost(vec3 noise, float removed, vec3 lost, float threshold, float softness) {
     float scale = inversesqrt(softness * softness + removed), variance = 0.5 * softness * softness + removed;
     float d = (noise.x - threshold) * (noise.x - threshold);
-    float mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0));
+    float mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0)); // 1/sqrt(2 pi)
+    // 0.11253954 is 1/(2 pi sqrt(2))
     float square = 0.11253954 / softness * inversesqrt(variance) * exp(-0.5 * min(d / variance, 100.0));
     return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz);
 }
@@ -678,7 +683,7 @@ vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
 // see gabor_impl_ends_at. `phase` is in turns.
 vec3 gabor_impl_rise(vec3 phase, vec3 span) {
     vec3 ends = gabor_impl_ends_at(phase.x, span.x);
-    vec2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
+    vec2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t); // 1/3
     float mean = ends.z * (integral.y - integral.x), change = ends.z * (t.y * t.y - t.x * t.x);
     // The change with the width, which is about 0.78 sqrt(1 - span).
     float widen = ends.z * (0.5 * (t.y * t.y + t.x * t.x) - mean) * (-0.5 / (ends.z * max(1.0 - span.x, 0.001)));
@@ -692,6 +697,7 @@ float gabor_impl_rise_lost(float phase, float span, float full) {
     vec3 ends = gabor_impl_ends_at(phase, span);
     vec2 turns = floor(ends.xy), t = ends.xy - turns;
     float w = 1.0 / gabor_impl_ends_at(0.0, full).z, rise = 1.0 - w;
+    // 1.3333333 is 4/3 and 0.33333333 is 1/3
     float risen = 1.3333333 - w * (2.0 - w + 0.33333333 * w * w), fallen = rise * rise * (1.0 / w + 0.33333333 * w);
     vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
@@ -813,8 +819,9 @@ float gabor_impl_over(float x, float y, float weave) {
 // -1, and is level towards a thread that it crosses on the same side.
 vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2 * across.x * across.x;
-    float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x;
+    float side = sqrt(max(square, 0.0)), turn = level ? 0.0 : 3.1415927 * along.x; // pi
     vec2 slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
+    // 1.7278760 is 0.55 pi
     return vec3(side - (square < 0.0 ? 2.0 : 1.0) + 0.55 * bend * cos(turn),
                 (square < 0.0 ? vec2(0.0) : slope) - 1.7278760 * bend * sin(turn) * along.yz);
 }
@@ -864,11 +871,12 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
         float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
         vec3 at = cords * gabor_impl_along_x(cloth);
         float damped = gabor_impl_sine_kept(cloth, cords), half_cord = 0.5 * damped;
-        float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * fract(at.x);
+        float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * fract(at.x); // 2 pi
         float cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
         float depth = 0.3 * fabric.relief / cords, swing = depth * 6.2831853;
         colour *= mix(0.3, 1.0, cord);
         height += vec3(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
+        // 0.15625 is 5/32
         lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
                 * gabor_impl_square(at.yz);
     }
@@ -917,7 +925,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
         along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
         across.x -= 1.0;
         float cube = across.x * across.x * across.x, low = 1.0 - cube * across.x, arch = low * low;
-        vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+        vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x)); // pi
         vec3 bulge = vec3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
         bulge = 0.16 * bulge + 0.006 * (first ? of.pair_0.first : of.pair_1.first);
@@ -925,8 +933,9 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
         lost += gabor_impl_square(bulge.yz);
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(height, lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3(count * count, 0.0));
-    colour = mix(0.3221275 * (warp + weft), colour / float(samples), kept);
+    colour = mix(0.3221275 * (warp + weft), colour / float(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
     lost = unit * unit * (lost + 1.8e-5 * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
@@ -957,13 +966,14 @@ GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPi
                                         uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(0.8), seed, 5);
+    // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
 GaborImplPair gabor_impl_moved_waves(GaborImplPair waves, GaborImplPixel at, vec2 wave, vec2 offset, float turns) {
     vec2 turn = gabor_impl_wave(turns);
-    vec3 phase = 6.2831853 * vec3(0.0, dot(wave, at.by_x), dot(wave, at.by_y));
+    vec3 phase = 6.2831853 * vec3(0.0, dot(wave, at.by_x), dot(wave, at.by_y)); // 2 pi
     vec3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += dot(a.yz, offset);
     b.x += dot(b.yz, offset);
@@ -982,6 +992,7 @@ void gabor_impl_crest(GaborImplPair waves, out vec3 cosine, out vec3 sine) {
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
 GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, GaborImplPairs of) {
+    // 2.2944 is 0.2 + 2/3 pi
     vec2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
     vec2 dx = vec2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     vec2 dy = vec2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
@@ -1008,6 +1019,7 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
         lost += gabor_impl_square(relief.yz);
     }
     vec3 square = leather.cells * leather.cells * vec3(0.0027, 0.0024, -0.00012);
+    // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
     vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
@@ -1102,6 +1114,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     vec2 z = vec2(of.pair_2.first.x, of.pair_2.second.x);
     float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.pair_2.removed, span = 0.9 * sqrt(power / whole);
     vec2 change = z.x * of.pair_2.first.yz + z.y * of.pair_2.second.yz; // half the derivative of the power
+    // 0.15915494 is 1/(2 pi)
     vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
     vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
@@ -1118,6 +1131,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     vec3 bent = vec3(0.4 * ripples.density * ripples.density, 0.0);
     vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    // 7.65625e-5 is 0.00875^2
     vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
               + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
@@ -1157,7 +1171,7 @@ void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, 
     }
     float size = exp2(-float(i));
     of.pair_0.first += size * pair.first;
-    of.pair_0.second += 0.4472136 * pair.second;
+    of.pair_0.second += 0.4472136 * pair.second; // 1/sqrt(5)
     of.pair_0.removed += 0.2 * pair.removed;
     of.pair_0.lost += size * size * pair.lost;
 }
@@ -1193,7 +1207,7 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
-    float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
+    float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5); // 3 - sqrt(5)
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
@@ -1246,6 +1260,7 @@ float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint 
 // Hair, tone and stripes.
 GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
                                       GaborZebra zebra, uint seed) {
+    // 2.0707963 is 0.5 + pi/2
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, vec2(1.2), seed, 4);
     return gabor_impl_waves_layer(2, skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
@@ -1311,10 +1326,12 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
     // by the plate.
+    // 0.0919239 is 0.13/sqrt(2)
     float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239).x;
     float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
     float deep = bark.depth + 0.0108 * of.pair_0.first.x, coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
     float both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(vec3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    // 0.00011664 is 0.0108^2
     vec3 lost = (deep * deep + 0.00011664 * of.pair_0.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of.pair_2.lost + 0.04 * of.pair_0.lost, -0.15, 0.35)
                  + 0.3025 * rises * gabor_impl_line_lost(of.pair_3.first, of.pair_3.removed, of.pair_3.lost, 0.13))
@@ -1348,6 +1365,7 @@ GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPix
                                        uint seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+    // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
                  : i == 6 ? vec2(0.25, 2.8333333) : vec2(0.6, 8.3333333);
     return gabor_impl_spots_layer(i - 3, rock, density * vec2(1.0, strata.layers), seed, i - 1);
@@ -1536,10 +1554,12 @@ GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal(vec3(0.55, 0.555, 0.565), vec3(0.14, 0.33, 0.27), 9.0, 0.09, 0.0012, 0.36, 0.0);
 }
 GaborScratches gabor_scratches_default() {
+    // 1.5707963 is pi/2 and 3.1415927 is pi
     return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
                           0.3);
 }
 GaborZebra gabor_zebra_default() {
+    // 0.2967060 is 17/180 pi and 0.3490659 is 20/180 pi
     return GaborZebra(vec3(0.70, 0.64, 0.54), vec3(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7);
 }
 GaborBark gabor_bark_default() {

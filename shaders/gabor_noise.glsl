@@ -206,6 +206,7 @@ uint gabor_impl_line_word(int index, uint salt) {
 // node's amplitude.
 vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));
+    // fit: see tools/constants.py
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
@@ -234,6 +235,7 @@ void gabor_impl_add_products(inout vec4 sums, vec4 pair, vec2 z) {
 // (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 vec2 gabor_impl_half_turn(float t) {
     float s = t * t, r = s * s;
+    // fits: see tools/constants.py
     return vec2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
@@ -264,22 +266,24 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #elif GABOR_TAPS == 3
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     float y = x * x;
+    // fits: see tools/constants.py
     float c = 0.5 - y * (1.0966099 - y * (0.40054826 - y * 0.05644487)); // cos(2/3 pi x) / 2
     float s = x * (0.90689956 - y * (0.66301124 - y * (0.14532053 - y * 0.01467483))); // sqrt(3)/4 sin(2/3 pi x)
     float a = 0.5 - 0.5 * c;
-    float b = 1.8137994 * s;
+    float b = 1.8137994 * s; // pi/sqrt(3)
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
-    slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
+    slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0); // sqrt(3)/2 pi
 }
 #else
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
     float z = x - 0.5, y = z * z;
+    // fits: see tools/constants.py
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
     value = 0.5 + vec4(-s, c, s, -c);
-    slope = 3.1415927 * vec4(-c, -s, c, s);
+    slope = 3.1415927 * vec4(-c, -s, c, s); // pi
 }
 #endif
 
@@ -348,6 +352,7 @@ vec2 gabor_impl_amplitude_at(uint word, float moment) {
         uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
         vec2 turn = gabor_impl_wave(moment);
+        // 0.70710678 is 1/sqrt(2)
         amplitude = (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
                   + 0.70710678 * turn.y * gabor_impl_amplitude(third);
     }
@@ -430,7 +435,7 @@ GaborPlace gabor_place_at(vec2 p) {
 }
 
 GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
-    vec2 side = clamp(period, 0.0009765625, 1.0e9);
+    vec2 side = clamp(period, 0.0009765625, 1.0e9); // 2^-10
     vec2 nodes = max(floor(side * GABOR_RADIUS + 0.5), vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
     place.radius = vec2(period.x > 0.0 ? nodes.x / side.x : GABOR_RADIUS,
@@ -441,7 +446,7 @@ GaborPlace gabor_place_tiled(vec2 p, vec2 period) {
 }
 
 vec2 gabor_wave_vector(float frequency, float orientation) {
-    return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6));
+    return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)); // 1/(2 pi)
 }
 
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
@@ -470,8 +475,8 @@ vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) 
 
 vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
-    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
-    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
+    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0; // 1/(2 pi)
+    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity); // 1 - 2^-24
 }
 
 // For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
@@ -479,8 +484,8 @@ vec2 gabor_phasor(vec2 value) {
 vec3 gabor_stripes_of(GaborField field, float sharpness) {
     vec2 value = vec2(field.quadrature, field.noise);
     float power = dot(value, value), removed = max(field.removed, 0.0);
-    float reach = sqrt(power + 2.5464791 * removed);
-    return vec3(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * removed));
+    float reach = sqrt(power + 2.5464791 * removed); // 8/pi
+    return vec3(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * removed)); // pi/2
 }
 
 vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {

@@ -149,6 +149,7 @@ GaborField3d gabor_impl_field_3d(vec4 sum, vec4 slopes, vec2 turn, vec3 wave) {
     turn *= inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     sum = vec4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = vec4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
+    // 6.2831853 is 2 pi
     return GaborField3d(sum.y, vec3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
                         sum.x, vec3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
@@ -252,13 +253,13 @@ struct GaborImplStar3d {
 // circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
 // around it within a quarter circle.
 GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, vec3 d, uint word) {
-    vec2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
+    vec2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word))); // 2^-33
     vec3 first = turn.x * tangents.along + turn.y * tangents.across;
     vec3 second = turn.x * tangents.across - turn.y * tangents.along;
     vec4 u = vec4(first, dot(first, d)), v = vec4(second, dot(second, d)), w = vec4(0.0, 0.0, 1.0, d.z);
     if (!tangents.only) {
-        float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0));
-        vec2 spin = gabor_impl_half_turn(5.8207661e-11 * float(int(word << 20u)));
+        float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0)); // 2^-31
+        vec2 spin = gabor_impl_half_turn(5.8207661e-11 * float(int(word << 20u))); // 2^-34
         vec4 across = v, lifted = level * w - rise * u;
         u = level * u + rise * w;
         v = spin.x * across + spin.y * lifted;
@@ -273,7 +274,7 @@ void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, floa
     vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     vec2 value = window.w * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
+    sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.xyz - 6.2831853 * value.y * wave.xyz;
 }

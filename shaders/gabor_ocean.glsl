@@ -144,8 +144,9 @@ struct GaborImplBandPower {
 
 GaborImplBandPower gabor_impl_band_power(float low, GaborImplJonswap sea, bool remote) {
     GaborImplBandPower power = GaborImplBandPower(vec2(0.0), 0.0, vec4(0.0));
-    float width = 0.025878906 * low;
+    float width = 0.025878906 * low; // 26.5/1024
     for (int j = 0; j < 16; ++j) {
+        // 198.75 is 7.5 * 26.5
         float f = gabor_impl_step_frequency(j, low, width), x = 26.5 * float(j) - 198.75, above = f / sea.peak;
         // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
         float s = remote ? 75.0 : 9.77 * pow(above, above < 1.0 ? 4.06 : -2.34);
@@ -177,11 +178,14 @@ GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power) {
     float most = 1.0 / (1.0 + 212.0 * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
     // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
     float end = min(1.8 * deviation, most - c), rest = variance - c * c / 3.0;
+    // 0.3047619 is 32/105, 0.0304762 is 16/525, 0.1142857 is 4/35 and 0.1523810 is 16/105
     float a = (sqrt(max(0.3047619 * rest - 0.0304762 * end * end, 0.0)) - 0.1142857 * end) / 0.1523810, b = end - a;
     // The mean of sin(d / 2)^4.
+    // 0.57142857 is 4/7, 0.66666667 is 2/3, 0.36363636 is 4/11 and 0.076923077 is 1/13
     float fourth = a * a * a * (0.2 * a + 0.57142857 * b)
                  + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b)
                  + c * c * (2.0 * rest + 0.2 * c * c);
+    // 0.00390625 is 2^-8
     return GaborImplBandSpread(floor(511.5 * vec3(a, b, c)) * vec3(8.0, 0.00390625, 8.0),
                                floor(16384.0 * vec2(1.0 - (fit.x + 1236.0) * widen, widen)),
                                1.0 - 4.0 * variance + 4.0 * fourth);
@@ -192,7 +196,7 @@ GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power) {
 // so on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
 void gabor_impl_band_knots(float low, float whole, GaborImplJonswap sea, out vec3 early, out vec3 late) {
     vec3 first = vec3(0.0), second = vec3(0.0), ahead = vec3(0.0621, 0.2483, 0.4965);
-    float width = 0.025878906 * low;
+    float width = 0.025878906 * low; // 26.5/1024
     for (int n = 0; n < 16; ++n) {
         float f = gabor_impl_step_frequency(n, low, width);
         float part = GABOR_IMPL_TICK * width / whole * gabor_impl_spectrum(f, sea).x;
@@ -200,7 +204,7 @@ void gabor_impl_band_knots(float low, float whole, GaborImplJonswap sea, out vec
         second += 26.5 * clamp((ahead + vec3(0.6827, 0.6827, 0.5035)) / max(part, 1.0e-9), 0.0, 1.0);
         ahead -= part;
     }
-    early = floor((first - vec3(0.0, first.xy)) * vec3(4.0, 1.3333333, 1.0) + 0.5) / 256.0;
+    early = floor((first - vec3(0.0, first.xy)) * vec3(4.0, 1.3333333, 1.0) + 0.5) / 256.0; // 4/3
     late = floor((second - vec3(first.z, second.xy)) * vec3(1.0, 1.3333333, 4.0) + 0.5) / 256.0;
     late -= vec3(early.z, late.xy);
     early -= vec3(0.0, early.xy);
@@ -222,6 +226,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
         if (remote) { // the swell
             sea.peak = 1.0 / ocean.swell.y;
             sea.sharp = 2.0794415; // ln 8
+            // 0.0132813 is 0.85/64
             low = 64.0 * floor(0.0132813 * sea.peak / GABOR_IMPL_TICK + 0.5); // 0.85 times the peak
             direction = ocean.swell.z;
         }
@@ -233,6 +238,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
                                       : power.sum.x;
         band.amplitude = sqrt(tall);
         // (4 pi^2 / g)^2
+        // 16.195056 was chosen near (4 pi^2 / g)^2, which is 16.195019
         band.slopes = 16.195056 * tall * power.sum.y / power.sum.x * vec2(spread.along, 1.0 - spread.along);
         if (!remote) ocean.tail -= band.slopes;
         band.exponent = remote ? int(floor(log2(18.0 / (sea.peak * sea.peak))))
@@ -244,10 +250,11 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, 
         band.late = late;
         band.spread = spread.spread;
         band.widen = spread.widen;
+        // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
         float speed = ocean.loop > 0 ? 0.0
                                      : 32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
                                            * exp2(-float(band.exponent));
-        band.drift = ivec2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
+        band.drift = ivec2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5)); // 1/(2 pi)
         ocean.band[i] = band;
     }
     ocean.tail = max(ocean.tail, 0.0);
@@ -289,6 +296,7 @@ GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, ivec2 cell, vec2
     ivec2 node = ((cell >> up) << down) - (second >> 15) * band.drift - (drifted >> 15) + ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     vec2 middle = 2.0 * offset - 1.0, fourth = middle * middle * middle * middle;
+    // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     vec2 turns = 0.125 + middle * (0.15625 - 0.03125 * fourth), slope = 1.9634954 / spacing * (1.0 - fourth);
     vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
     vec4 along_x = vec4(turn_x, turn_x), along_y = vec4(turn_y.xx, turn_y.yy);
@@ -321,15 +329,16 @@ GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, uvec4 word, bool
     vec4 rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, 0.0)
                       + band.early.z * max(share - 256.0, 0.0) + band.late.x * max(share - 512.0, 0.0)
                       + band.late.y * max(share - 768.0, 0.0) + band.late.z * max(share - 960.0, 0.0));
-    vec4 bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u));
-    vec4 angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
-    vec4 part = trunc(1.220703125e-4 * angle), lag = trunc(4.8828125e-4 * part * part);
-    vec4 steep = trunc(9.765625e-4 * rise * rise), carried = steep - trunc(9.765625e-4 * steep * lag);
+    vec4 bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u)); // 2^-9
+    vec4 angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise); // 2^-12
+    vec4 part = trunc(1.220703125e-4 * angle), lag = trunc(4.8828125e-4 * part * part); // 2^-13, 2^-11
+    vec4 steep = trunc(9.765625e-4 * rise * rise), carried = steep - trunc(9.765625e-4 * steep * lag); // 2^-10
     vec4 count = trunc(scale * rise + half_step);
+    // 6.7265625 is 861/128
     vec4 turning = quantum * count - trunc((quantum > 1.0 ? 0.0 : band.low / 16384.0) * trunc(6.7265625 * carried));
     // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
     vec4 k = (normal ? 0.9986 : 0.978) * 9.37e-10 * quantum * quantum * count * count;
-    vec4 chord = 1.1920929e-7 * angle, cosine = 1.0 - 0.5 * chord * chord;
+    vec4 chord = 1.1920929e-7 * angle, cosine = 1.0 - 0.5 * chord * chord; // 2^-23
     vec4 sine = chord * sqrt(1.0 - 0.25 * chord * chord);
     return GaborImplOceanWaves(turning, k, heading.x * cosine - heading.y * sine,
                                heading.y * cosine + heading.x * sine);
@@ -340,7 +349,7 @@ GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, uvec4 word, bool
 void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBand band, bool normal, vec2 heading,
                          vec2 quantum, float least, ivec2 cell, vec2 local, int second, float fraction, vec2 dx,
                          vec2 dy, uint seed) {
-    float scale = 9.765625e-4 * band.low * quantum.y, half_step = max(0.5, 1.0 - 1024.0 * scale);
+    float scale = 9.765625e-4 * band.low * quantum.y, half_step = max(0.5, 1.0 - 1024.0 * scale); // 2^-10
     float lowest = quantum.x * floor(1024.0 * scale + half_step);
     float longest = 1.486e-10 * lowest * lowest; // the least k, 2 pi F^2 / g
     if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
@@ -351,6 +360,7 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     GaborImplOceanWaves waves = gabor_impl_ocean_waves(band, nodes.word, normal, heading, quantum.x, scale, half_step);
     vec4 k = waves.k, x = waves.heading_x, y = waves.heading_y;
     uvec4 ticks = (uvec4(ivec4(waves.turning)) * uint(second) + (nodes.word >> 16u)) & 0xffffu;
+    // 0.15915494 is 1/(2 pi) and 1.52587890625e-5 is 2^-16
     vec4 phase = 0.15915494 * k * (x * nodes.from_x + y * nodes.from_y)
                - 1.52587890625e-5 * (vec4(ticks) + waves.turning * fraction);
     vec2 a = gabor_impl_wave(phase.x), b = gabor_impl_wave(phase.y);
@@ -359,6 +369,7 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
     vec4 kept = exp(-0.125 * (steps_x * steps_x + steps_y * steps_y));
     // The amplitude's square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
     vec4 square = 1.52587890625e-5 * vec4(nodes.word & 0xffffu), amplitude = kept * sqrt(square);
+    // fit: see tools/constants.py
     amplitude *= normal ? 1.3034767 + 0.3870924 * square + 0.0960481 / (1.0580433 - square) : vec4(2.0);
     vec4 height = amplitude * vec4(a.y, b.y, c.y, d.y), along = nodes.window * amplitude * vec4(a.x, b.x, c.x, d.x);
     sum.slope += vec2(dot(height, nodes.window_x), dot(height, nodes.window_y));
@@ -374,9 +385,11 @@ void gabor_impl_add_band(inout GaborWater sum, inout vec3 squeeze, GaborOceanBan
 
 GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean,
                           uint seed) {
+    // 0.15915494 is 1/(2 pi)
     vec2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     vec3 squeeze = vec3(0.0);
+    // 1.52587890625e-5 is 2^-16
     vec2 quantum = ocean.loop > 0 ? vec2(float(65536 / max(ocean.loop, 1)), 1.52587890625e-5 * float(ocean.loop))
                                   : vec2(1.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse

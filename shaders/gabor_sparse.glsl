@@ -216,6 +216,7 @@ GaborImplImpulse gabor_impl_impulse(uint word) {
 float gabor_impl_sine(float t) {
     t = fract(t) - 0.5;
     float s = t * t;
+    // fit: see tools/constants.py
     float p = 12.233303 * s - 38.123196;
     p = p * s + 67.0439;
     p = p * s - 64.83468;
@@ -226,12 +227,13 @@ float gabor_impl_sine(float t) {
 // The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
 // minimax polynomials give the sine and cosine of the rest.
 vec2 gabor_impl_direction(float angle) {
-    float quarter = floor(angle * 0.63661977 + 0.5);
-    float r = angle - quarter * 1.5703125;
-    r -= quarter * 4.837512969970703e-4;
-    r -= quarter * 7.549789948768648e-8;
+    float quarter = floor(angle * 0.63661977 + 0.5); // 2/pi
+    float r = angle - quarter * 1.5703125; // 201/128
+    r -= quarter * 4.837512969970703e-4; // 4058/2^23
+    r -= quarter * 7.549789948768648e-8; // pi/2 - 201/128 - 4058/2^23
     r = abs(r) < 1.0 ? r : 0.0; // far outside the range, no digits are left and the direction is arbitrary
     float s = r * r;
+    // fits: see tools/constants.py
     float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
     vec2 axis = fract(0.5 * quarter) < 0.25 ? vec2(cosine, sine) : vec2(-sine, cosine);
@@ -405,8 +407,8 @@ vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) 
 
 vec2 gabor_phasor(vec2 value) {
     float intensity = length(value);
-    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0;
-    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
+    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0; // 1/(2 pi)
+    return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity); // 1 - 2^-24
 }
 
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {

@@ -178,13 +178,13 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
-    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
+    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963); // pi/2
     float shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
     int shell_count = gabor_impl_pieces(shells);
     for (int j = 0; j < shell_count; ++j) {
         vec3 shell = gabor_impl_piece(j, shells);
         float magnitude = frequency * (1.0 + frequency_spread * shell.x);
-        float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
+        float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0); // 2/pi
         int direction_count = gabor_impl_pieces(directions);
         for (int i = 0; i < direction_count; ++i) {
             vec3 direction = gabor_impl_piece(i, directions);
@@ -211,6 +211,7 @@ float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequ
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
+// 0.57735027 is 1/sqrt(3)
 #define GABOR_IMPL_STAR (0.57735027 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
@@ -226,8 +227,9 @@ struct GaborImplStar {
 // `d`: offset of the point from the node, in periods of the waves.
 GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
     GaborImplStar star;
+    // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
-    star.v = 0.5 * star.u + 0.8660254 * vec2(-star.u.y, star.u.x);
+    star.v = 0.5 * star.u + 0.8660254 * vec2(-star.u.y, star.u.x); // sqrt(3)/2
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, vec2(star.first.x, -star.first.y));
@@ -242,7 +244,7 @@ GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
 void gabor_impl_add_wave(inout GaborField sum, vec3 window, vec2 a, vec2 wave) {
     vec2 value = window.x * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.yz + 6.2831853 * value.x * wave;
+    sum.gradient += a.y * window.yz + 6.2831853 * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.yz - 6.2831853 * value.y * wave;
 }
@@ -285,7 +287,8 @@ float gabor_noise_isotropic(vec2 p, float frequency, uint seed) {
 // turn adds the integral of one period.
 vec3 gabor_impl_ends_at(float phase, float span) {
     float y = max(1.0 - span, 0.0);
-    float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
+    // the others are a fit: see tools/constants.py
+    float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376))); // sqrt(6)/pi
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
     return vec3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);

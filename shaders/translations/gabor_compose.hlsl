@@ -121,6 +121,7 @@ GaborBoards gabor_boards_default() {
 // normal distribution functions with the standard deviation 1 / scale.
 float2 gabor_impl_joint(float x, float gap, float scale) {
     float2 t = clamp(scale * float2(x + 0.5 * gap, x - 0.5 * gap), -10.0, 10.0), density = exp(-0.5 * t * t);
+    // 0.39894228 is 1/sqrt(2 pi)
     return float2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228 * scale * (density.x - density.y));
 }
 
@@ -160,6 +161,7 @@ GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, GaborBoard
     float2 back = float2(turn.x, -turn.y);
     float2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     float2 boards_wide = min(wide / (size * size), 4.0);
+    // 19.739209 is 2 pi^2
     float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     float2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     float2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);

@@ -99,6 +99,7 @@ GABOR_INLINE GaborBoards gabor_boards_default() {
 // normal distribution functions with the standard deviation 1 / scale.
 GABOR_INLINE gabor_vec2 gabor_impl_joint(float x, float gap, float scale) {
     gabor_vec2 t = gabor_cpp_clamp(scale * gabor_vec2(x + 0.5f * gap, x - 0.5f * gap), -10.0f, 10.0f), density = gabor_cpp_exp(-0.5f * t * t);
+    // 0.39894228 is 1/sqrt(2 pi)
     return gabor_vec2(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228f * scale * (density.x - density.y));
 }
 
@@ -138,6 +139,7 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
     gabor_vec2 wide = 0.25f * (dx * dx + dy * dy); // the variance of the pixel along x and y
     gabor_vec2 boards_wide = gabor_cpp_min(wide / (size * size), 4.0f);
+    // 19.739209 is 2 pi^2
     float mean = gabor_cpp_exp(-19.739209f * gabor_cpp_max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     gabor_vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     gabor_vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);

@@ -80,6 +80,7 @@ fn gabor_boards_default() -> GaborBoards {
 fn gabor_impl_joint(x: f32, gap: f32, scale: f32) -> vec2f {
     let t = clamp(scale * vec2f(x + 0.5 * gap, x - 0.5 * gap), vec2f(-10.0), vec2f(10.0));
     let density = exp(-0.5 * t * t);
+    // 0.39894228 is 1/sqrt(2 pi)
     return vec2f(gabor_impl_below(t.x) - gabor_impl_below(t.y), 0.39894228 * scale * (density.x - density.y));
 }
 
@@ -120,6 +121,7 @@ fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoard
     let back = vec2f(turn.x, -turn.y);
     let wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     let boards_wide = min(wide / (size * size), vec2f(4.0));
+    // 19.739209 is 2 pi^2
     let mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
     let across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
     let along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);

@@ -86,7 +86,7 @@ GABOR_INLINE void gabor_impl_add_directed_wave(GaborField& sum, gabor_vec2 ampli
     gabor_vec2 a = gabor_impl_product(amplitude, gabor_impl_wave(gabor_cpp_dot(wave, d)));
     gabor_vec2 value = x.x * y.x * a, slope = gabor_vec2(x.y * y.x, x.x * y.y);
     sum.noise += value.y;
-    sum.gradient += a.y * slope + 6.2831853f * value.x * wave;
+    sum.gradient += a.y * slope + 6.2831853f * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * slope - 6.2831853f * value.y * wave;
 }

@@ -73,7 +73,7 @@ fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2f
     let a = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
     let value = x.x * y.x * a; let slope = vec2f(x.y * y.x, x.x * y.y);
     (*sum).noise += value.y;
-    (*sum).gradient += a.y * slope + 6.2831853 * value.x * wave;
+    (*sum).gradient += a.y * slope + 6.2831853 * value.x * wave; // 2 pi
     (*sum).quadrature += value.x;
     (*sum).quadrature_gradient += a.x * slope - 6.2831853 * value.y * wave;
 }

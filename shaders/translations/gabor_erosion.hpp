@@ -170,13 +170,16 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, curvature_x, gabor_vec3(y.w, slope_y.w, curvature_y.w));
     gabor_vec4 s = gabor_cpp_clamp(gabor_vec4(dx, dy), -1.0e9f, 1.0e9f);
     float area = s.x * s.w - s.y * s.z;
+    // 0.34768212 is (2/3) / (151/315) / 4 and 0.12088286 is ((2/3) / (151/315) / 4)^2
     float kept = gabor_cpp_inversesqrt(1.0f + 0.34768212f * gabor_cpp_dot(s, s) + 0.12088286f * area * area);
     float unit = 1.6825360e-9f * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    // 3.1582734 is (0.8 pi)^2 / 2
     gabor_vec2 noise = unit * hills.value, wave = gabor_cpp_exp(3.1582734f * (kept * kept - 1.0f)) * gabor_impl_wave(0.4f * noise.y);
     float rough = 0.3f + 0.12f * noise.x, height = noise.x + rough * wave.y;
     // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
     // by ab and bb:
-    gabor_vec2 first = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
+    gabor_vec2 first = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x); // 0.8 pi
+    // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     gabor_vec2 second = 0.33f * unit * unit * gabor_vec2(0.30159289f * wave.x, -6.3165468f * rough * wave.y);
     gabor_vec2 along_x = hills.slope_x, along_y = hills.slope_y;
     gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
@@ -290,7 +293,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         gabor_vec2 bend = frequency / steep * gabor_vec2(gabor_cpp_dot(across, steer_x), gabor_cpp_dot(across, steer_y));
         gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(wave, dx), gabor_cpp_dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
-        float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f);
+        float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f); // pi^2 / 2
         gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
@@ -300,7 +303,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
             z *= shrink;
             z_x = shrink * erosion.uniformity * (field.along_x - bend.x * field.bent);
             z_y = shrink * erosion.uniformity * (field.along_y - bend.y * field.bent);
-            kept_slope = 9.8696044f * share * gabor_cpp_dot(steps, gabor_vec2(gabor_cpp_dot(down, dx), gabor_cpp_dot(down, dy))) * bend;
+            kept_slope = 9.8696044f * share * gabor_cpp_dot(steps, gabor_vec2(gabor_cpp_dot(down, dx), gabor_cpp_dot(down, dy))) * bend; // pi^2
             z_x = kept * (z_x - gabor_cpp_dot(z, z_x) * z) + kept_slope.x * z;
             z_y = kept * (z_y - gabor_cpp_dot(z, z_y) * z) + kept_slope.y * z;
             z *= kept;
@@ -312,7 +315,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         sum += depth * gully;
         sum_slope += depth * gully_slope;
         float side = z.y < 0.0f ? -1.0f : 1.0f;
-        float turns = 6.2831853f * depth * erosion.branching * erosion.gully_weight * side;
+        float turns = 6.2831853f * depth * erosion.branching * erosion.gully_weight * side; // 2 pi
         float turn = turns * kept * mask;
         gabor_vec2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;

@@ -161,13 +161,16 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) 
     gabor_impl_add_hill_row(&hills, columns * rows.w, x, slope_x, curvature_x, vec3f(y.w, slope_y.w, curvature_y.w));
     let s = clamp(vec4f(dx, dy), vec4f(-1.0e9), vec4f(1.0e9));
     let area = s.x * s.w - s.y * s.z;
+    // 0.34768212 is (2/3) / (151/315) / 4 and 0.12088286 is ((2/3) / (151/315) / 4)^2
     let kept = inverseSqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);
     let unit = 1.6825360e-9 * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
+    // 3.1582734 is (0.8 pi)^2 / 2
     let noise = unit * hills.value; let wave = exp(3.1582734 * (kept * kept - 1.0)) * gabor_impl_wave(0.4 * noise.y);
     let rough = 0.3 + 0.12 * noise.x; let height = noise.x + rough * wave.y;
     // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b;
     // by ab and bb:
-    let first = 0.33 * unit * vec2f(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
+    let first = 0.33 * unit * vec2f(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x); // 0.8 pi
+    // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     let second = 0.33 * unit * unit * vec2f(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     let along_x = hills.slope_x; let along_y = hills.slope_y;
     let slope = place.radius * vec2f(dot(first, along_x), dot(first, along_y));
@@ -282,7 +285,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
         let bend = frequency / steep * vec2f(dot(across, steer_x), dot(across, steer_y));
         let steps = vec2f(dot(wave, dx), dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
-        let share = 1.02 * exp(-4.9348022 * dot(steps, steps)); let kept = max(share - 0.02, 0.0);
+        let share = 1.02 * exp(-4.9348022 * dot(steps, steps)); let kept = max(share - 0.02, 0.0); // pi^2 / 2
         var z = vec2f(0.0); var z_x = vec2f(0.0); var z_y = vec2f(0.0); var kept_slope = vec2f(0.0);
         if (kept > 0.0) {
             let place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
@@ -292,7 +295,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
             z *= shrink;
             z_x = shrink * erosion.uniformity * (field.along_x - bend.x * field.bent);
             z_y = shrink * erosion.uniformity * (field.along_y - bend.y * field.bent);
-            kept_slope = 9.8696044 * share * dot(steps, vec2f(dot(down, dx), dot(down, dy))) * bend;
+            kept_slope = 9.8696044 * share * dot(steps, vec2f(dot(down, dx), dot(down, dy))) * bend; // pi^2
             z_x = kept * (z_x - dot(z, z_x) * z) + kept_slope.x * z;
             z_y = kept * (z_y - dot(z, z_y) * z) + kept_slope.y * z;
             z *= kept;
@@ -304,7 +307,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
         sum += depth * gully;
         sum_slope += depth * gully_slope;
         let side = select(1.0, -1.0, z.y < 0.0);
-        let turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side;
+        let turns = 6.2831853 * depth * erosion.branching * erosion.gully_weight * side; // 2 pi
         let turn = turns * kept * mask;
         let turn_slope = turns * (kept * mask_slope + mask * kept_slope);
         steer -= turn * wave;

@@ -95,7 +95,7 @@ float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
 float gabor_impl_transmitted(float2 wave, float3 covariance) {
     float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
     float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
-    float exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    float exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave); // 4 pi^2
     return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
@@ -142,23 +142,23 @@ GaborImplFootprint gabor_impl_footprint(float2 dx, float2 dy) {
 // 1/2 + even (h - 1/2) + i odd h' / pi.
 float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
-    float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
+    float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave; // pi, 1/pi
     return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase), gabor_impl_product(float2(even.y, odd.x), phase));
 }
 
 // The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
 // `faded` is the derivative of the logarithm of the window's fade.
 float4 gabor_impl_filtered_derivative(float4 node, float faded, float2 phase) {
-    return float4(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase));
+    return float4(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase)); // pi^2
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
 void gabor_impl_filter(inout GaborImplAxis axis, float variance, float blurred, out GaborImplAxis derivative) {
-    float rise = exp(19.739209 * blurred);
-    float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
+    float rise = exp(19.739209 * blurred); // 2 pi^2
+    float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise); // pi^2 / 2
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
-    float2 t = clamp((0.33333333 + 0.66666667 * float2(-axis.offset, axis.offset)) / width, 0.0, 1.0);
+    float2 t = clamp((0.33333333 + 0.66666667 * float2(-axis.offset, axis.offset)) / width, 0.0, 1.0); // 1/3, 2/3
     float2 fade = t * t * (3.0 - 2.0 * t);
     float2 faded = 6.0 / width * t * (1.0 - t) / max(fade, 1.0e-6) * float2(-1.0, 1.0);
     float2 turn = gabor_impl_wave(axis.turns);
@@ -187,6 +187,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
     GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                          GABOR_RADIUS);
+    // 19.739209 is 2 pi^2
     float2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
@@ -269,12 +270,14 @@ GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c
     b.turn_back = gabor_impl_wave(-0.5 / b.reach);
     b.back = float2(step.x, -step.y);
 
-    float g = 19.739209 * m, unit = 0.75 / b.reach;
+    float g = 19.739209 * m, unit = 0.75 / b.reach; // 2 pi^2
+    // 2.5797363 is 2/3 pi^2 - 4
     float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
     // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
     // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0;
+    // fits: see tools/constants.py
     float3 wave = float3(0.25723323, 0.12732396, -0.03693604)
               + t * (float3(-0.03099653, 0.22852218, 0.10636504) - t * float3(0.0214304, 0.11618766, -0.1615392));
     float fall_4 = fall * fall * (fall * fall);
@@ -429,6 +432,7 @@ float2 gabor_impl_contracted(GaborImplFactors a, GaborImplFactors b, float3 weig
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
+    // 0.13069097 is 1/3 - 2/pi^2
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);
     float2 blurred = gabor_impl_symmetric(s, wave);
@@ -436,6 +440,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     float rho = s.z * rsqrt(m.x * m.y);
     float r = sqrt(1.0 - rho * rho);
     float lambda = rho / (1.0 + r);
+    // 39.478418 is 4 pi^2
     float mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
     float3 weights = float3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
@@ -461,7 +466,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
         edge_x += gabor_impl_contracted(edge, window, weights);
         edge_y += line_.fade.y * gabor_impl_contracted(row, line_.window, weights);
     } while (++j < rows);
-    float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
+    float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c)); // 2 pi^2
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
     // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
     float2 mean = wave + c, before = lambda * sqrt(m.yx / m);
@@ -514,6 +519,7 @@ float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, flo
 
 // Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 float gabor_impl_mean_angle(float q) {
+    // fit: see tools/constants.py
     return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
                 / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
@@ -537,9 +543,9 @@ GaborField gabor_field_lobes_filtered(GaborPlace place, float2 dx, float2 dy, Ga
 
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 float gabor_impl_transmitted_isotropic_2d(float frequency, float3 covariance) {
-    float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z); // 2/3 pi^2
     float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
-    float unit = 39.478418 / d * min(frequency * frequency, 1.0e12);
+    float unit = 39.478418 / d * min(frequency * frequency, 1.0e12); // 4 pi^2
     float apart = length(float2(covariance.x - covariance.y, 2.0 * covariance.z));
     float smaller = area + max(0.5 * (covariance.x + covariance.y - apart), 0.0);
     return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * rsqrt(d);
@@ -569,16 +575,17 @@ void gabor_impl_add_filtered_wave(inout GaborField sum, GaborImplWindows node, f
     a *= exp(-max(dot(wave, x), 0.0));
     x = clamp(x, -3.0, 3.0); // changes no wave that the filter keeps
     float2 y = x * x;
+    // 0.041666667 is 1/24, 0.16666667 is 1/6 and 0.0083333333 is 1/120
     float2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
-    float2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;
+    float2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine; // 1/pi
     float2 h_x = float2(real.x, imaginary.x), h_y = float2(real.y, imaginary.y);
     float2 value = gabor_impl_product(gabor_impl_product(h_x, h_y) + float2(s.z * node.sine.x * node.sine.y, 0.0), a);
     real = even * node.sine;
-    imaginary = -3.1415927 * odd * node.cosine;
+    imaginary = -3.1415927 * odd * node.cosine; // pi
     float2 along_x = gabor_impl_product(gabor_impl_product(float2(real.x, imaginary.x), h_y), a);
     float2 along_y = gabor_impl_product(gabor_impl_product(h_x, float2(real.y, imaginary.y)), a);
     sum.noise += value.y;
-    sum.gradient += float2(along_x.y, along_y.y) + value.y * faded + 6.2831853 * value.x * wave;
+    sum.gradient += float2(along_x.y, along_y.y) + value.y * faded + 6.2831853 * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += float2(along_x.x, along_y.x) + value.x * faded - 6.2831853 * value.y * wave;
 }
@@ -599,7 +606,7 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy
     float2 stretch = place.radius / GABOR_RADIUS;
     float2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= float3(stretch * stretch, stretch.x * stretch.y);
-    float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
+    float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05); // pi^2 / 2
     uint salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
     GaborImplAxis y =

@@ -100,7 +100,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix_, gabor_vec2 v) {
 GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
     float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
     float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
-    float exponent = 39.478418f / d * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    float exponent = 39.478418f / d * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave); // 4 pi^2
     return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
 }
 
@@ -139,23 +139,23 @@ GABOR_INLINE GaborImplFootprint gabor_impl_footprint(gabor_vec2 dx, gabor_vec2 d
 // 1/2 + even (h - 1/2) + i odd h' / pi.
 GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
     gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
-    gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
+    gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave; // pi, 1/pi
     return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase), gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
 }
 
 // The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
 // `faded` is the derivative of the logarithm of the window's fade.
 GABOR_INLINE gabor_vec4 gabor_impl_filtered_derivative(gabor_vec4 node, float faded, gabor_vec2 phase) {
-    return gabor_vec4(node.zw() + faded * node.xy(), -9.8696044f * (node.xy() - 0.5f * phase));
+    return gabor_vec4(node.zw() + faded * node.xy(), -9.8696044f * (node.xy() - 0.5f * phase)); // pi^2
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
 GABOR_INLINE void gabor_impl_filter(GaborImplAxis& axis, float variance, float blurred, GaborImplAxis& derivative) {
-    float rise = gabor_cpp_exp(19.739209f * blurred);
-    gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
+    float rise = gabor_cpp_exp(19.739209f * blurred); // 2 pi^2
+    gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise); // pi^2 / 2
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
-    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-axis.offset, axis.offset)) / width, 0.0f, 1.0f);
+    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-axis.offset, axis.offset)) / width, 0.0f, 1.0f); // 1/3, 2/3
     gabor_vec2 fade = t * t * (3.0f - 2.0f * t);
     gabor_vec2 faded = 6.0f / width * t * (1.0f - t) / gabor_cpp_max(fade, 1.0e-6f) * gabor_vec2(-1.0f, 1.0f);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
@@ -184,6 +184,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                          GABOR_RADIUS);
+    // 19.739209 is 2 pi^2
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
@@ -237,12 +238,14 @@ GABOR_INLINE GaborImplFilteredAxis gabor_impl_filtered_axis(float deviation, flo
     b.turn_back = gabor_impl_wave(-0.5f / b.reach);
     b.back = gabor_vec2(step.x, -step.y);
 
-    float g = 19.739209f * m, unit = 0.75f / b.reach;
+    float g = 19.739209f * m, unit = 0.75f / b.reach; // 2 pi^2
+    // 2.5797363 is 2/3 pi^2 - 4
     float fall = gabor_cpp_exp((2.5797363f - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = gabor_cpp_exp(2.0f * g * c * unit), sink = 1.0f / rise;
     // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
     // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0f;
+    // fits: see tools/constants.py
     gabor_vec3 wave = gabor_vec3(0.25723323f, 0.12732396f, -0.03693604f)
               + t * (gabor_vec3(-0.03099653f, 0.22852218f, 0.10636504f) - t * gabor_vec3(0.0214304f, 0.11618766f, -0.1615392f));
     float fall_4 = fall * fall * (fall * fall);
@@ -374,6 +377,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborImplFactors a, GaborImplFacto
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, bool wanted, std::uint32_t salt) {
+    // 0.13069097 is 1/3 - 2/pi^2
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 deviation = gabor_cpp_sqrt(s.xy());
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
@@ -381,6 +385,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y);
     float r = gabor_cpp_sqrt(1.0f - rho * rho);
     float lambda = rho / (1.0f + r);
+    // 39.478418 is 4 pi^2
     float mixed = 39.478418f * s.z * r / (1.0f + r); // 2 lambda sqrt(g_x g_y)
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
@@ -406,7 +411,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
         edge_x += gabor_impl_contracted(edge, window, weights);
         edge_y += line_.fade.y * gabor_impl_contracted(row, line_.window, weights);
     } while (++j < rows);
-    float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
+    float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c)); // 2 pi^2
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
     // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
     gabor_vec2 mean = wave + c, before = lambda * gabor_cpp_sqrt(m.yx() / m);
@@ -459,6 +464,7 @@ GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_
 
 // Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 GABOR_INLINE float gabor_impl_mean_angle(float q) {
+    // fit: see tools/constants.py
     return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
                 / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
 }
@@ -482,9 +488,9 @@ GABOR_INLINE GaborField gabor_field_lobes_filtered(GaborPlace place, gabor_vec2 
 
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_vec3 covariance) {
-    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z); // 2/3 pi^2
     float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
-    float unit = 39.478418f / d * gabor_cpp_min(frequency * frequency, 1.0e12f);
+    float unit = 39.478418f / d * gabor_cpp_min(frequency * frequency, 1.0e12f); // 4 pi^2
     float apart = gabor_cpp_length(gabor_vec2(covariance.x - covariance.y, 2.0f * covariance.z));
     float smaller = area + gabor_cpp_max(0.5f * (covariance.x + covariance.y - apart), 0.0f);
     return gabor_cpp_exp(-gabor_cpp_clamp(unit * smaller, 0.0f, 80.0f)) * gabor_impl_mean_angle(gabor_cpp_min(unit * apart, 1.0e8f)) * gabor_cpp_inversesqrt(d);
@@ -505,16 +511,17 @@ GABOR_INLINE void gabor_impl_add_filtered_wave(GaborField& sum, GaborImplWindows
     a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
     x = gabor_cpp_clamp(x, -3.0f, 3.0f); // changes no wave that the filter keeps
     gabor_vec2 y = x * x;
+    // 0.041666667 is 1/24, 0.16666667 is 1/6 and 0.0083333333 is 1/120
     gabor_vec2 even = 1.0f + y * (0.5f + 0.041666667f * y), odd = x * (1.0f + y * (0.16666667f + 0.0083333333f * y));
-    gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine;
+    gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine; // 1/pi
     gabor_vec2 h_x = gabor_vec2(real.x, imaginary.x), h_y = gabor_vec2(real.y, imaginary.y);
     gabor_vec2 value = gabor_impl_product(gabor_impl_product(h_x, h_y) + gabor_vec2(s.z * node.sine.x * node.sine.y, 0.0f), a);
     real = even * node.sine;
-    imaginary = -3.1415927f * odd * node.cosine;
+    imaginary = -3.1415927f * odd * node.cosine; // pi
     gabor_vec2 along_x = gabor_impl_product(gabor_impl_product(gabor_vec2(real.x, imaginary.x), h_y), a);
     gabor_vec2 along_y = gabor_impl_product(gabor_impl_product(h_x, gabor_vec2(real.y, imaginary.y)), a);
     sum.noise += value.y;
-    sum.gradient += gabor_vec2(along_x.y, along_y.y) + value.y * faded + 6.2831853f * value.x * wave;
+    sum.gradient += gabor_vec2(along_x.y, along_y.y) + value.y * faded + 6.2831853f * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += gabor_vec2(along_x.x, along_y.x) + value.x * faded - 6.2831853f * value.y * wave;
 }
@@ -535,7 +542,7 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     gabor_vec2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
-    gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);
+    gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f); // pi^2 / 2
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
     GaborImplAxis y =

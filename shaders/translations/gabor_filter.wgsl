@@ -83,7 +83,7 @@ fn gabor_impl_symmetric(matrix: vec3f, v: vec2f) -> vec2f {
 fn gabor_impl_transmitted(wave: vec2f, covariance: vec3f) -> f32 {
     let area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
     let d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
-    let exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    let exponent = 39.478418 / d * dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave); // 4 pi^2
     return exp(-clamp(exponent, 0.0, 80.0)) * inverseSqrt(d);
 }
 
@@ -124,24 +124,24 @@ fn gabor_impl_footprint(dx_in: vec2f, dy_in: vec2f) -> GaborImplFootprint {
 // 1/2 + even (h - 1/2) + i odd h' / pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2f, phase: vec2f) -> vec4f {
     let wave = vec2f(value - 0.5, slope);
-    let even = part.x * wave; let odd = part.y * vec2f(-3.1415927, 0.31830989) * wave;
+    let even = part.x * wave; let odd = part.y * vec2f(-3.1415927, 0.31830989) * wave; // pi, 1/pi
     return vec4f(gabor_impl_product(vec2f(0.5 + even.x, odd.y), phase), gabor_impl_product(vec2f(even.y, odd.x), phase));
 }
 
 // The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
 // `faded` is the derivative of the logarithm of the window's fade.
 fn gabor_impl_filtered_derivative(node: vec4f, faded: f32, phase: vec2f) -> vec4f {
-    return vec4f(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase));
+    return vec4f(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase)); // pi^2
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
 fn gabor_impl_filter(axis: ptr<function, GaborImplAxis>, variance: f32, blurred: f32,
                      derivative: ptr<function, GaborImplAxis>) {
-    let rise = exp(19.739209 * blurred);
-    let part = 0.5 * exp(-4.934802 * variance) * vec2f(rise + 1.0 / rise, rise - 1.0 / rise);
+    let rise = exp(19.739209 * blurred); // 2 pi^2
+    let part = 0.5 * exp(-4.934802 * variance) * vec2f(rise + 1.0 / rise, rise - 1.0 / rise); // pi^2 / 2
     let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
-    let t = clamp((0.33333333 + 0.66666667 * vec2f(-(*axis).offset, (*axis).offset)) / width, vec2f(0.0), vec2f(1.0));
+    let t = clamp((0.33333333 + 0.66666667 * vec2f(-(*axis).offset, (*axis).offset)) / width, vec2f(0.0), vec2f(1.0)); // 1/3, 2/3
     let fade = t * t * (3.0 - 2.0 * t);
     let faded = 6.0 / width * t * (1.0 - t) / max(fade, vec2f(1.0e-6)) * vec2f(-1.0, 1.0);
     let turn = gabor_impl_wave((*axis).turns);
@@ -170,6 +170,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2f, s: vec3f, salt: u3
     var columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     var rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                GABOR_RADIUS);
+    // 19.739209 is 2 pi^2
     let turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     var columns_slope = columns; var rows_slope = rows; // DXC warns of structs that only a call sets
@@ -222,12 +223,14 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     b.turn_back = gabor_impl_wave(-0.5 / b.reach);
     b.back = vec2f(step.x, -step.y);
 
-    let g = 19.739209 * m; let unit = 0.75 / b.reach;
+    let g = 19.739209 * m; let unit = 0.75 / b.reach; // 2 pi^2
+    // 2.5797363 is 2/3 pi^2 - 4
     let fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     let rise = exp(2.0 * g * c * unit); let sink = 1.0 / rise;
     // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
     // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     let t = b.reach - 2.0;
+    // fits: see tools/constants.py
     var wave = vec3f(0.25723323, 0.12732396, -0.03693604)
               + t * (vec3f(-0.03099653, 0.22852218, 0.10636504) - t * vec3f(0.0214304, 0.11618766, -0.1615392));
     let fall_4 = fall * fall * (fall * fall);
@@ -360,6 +363,7 @@ fn gabor_impl_contracted(a: GaborImplFactors, b: GaborImplFactors, weights: vec3
 
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bool, salt: u32) -> GaborField {
+    // 0.13069097 is 1/3 - 2/pi^2
     let m = s.xy + 0.13069097; // v
     let deviation = sqrt(s.xy);
     let blurred = gabor_impl_symmetric(s, wave);
@@ -367,6 +371,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bo
     let rho = s.z * inverseSqrt(m.x * m.y);
     let r = sqrt(1.0 - rho * rho);
     let lambda = rho / (1.0 + r);
+    // 39.478418 is 4 pi^2
     let mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
     let weights = vec3f(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     let step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
@@ -394,7 +399,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bo
         edge_y += line.fade.y * gabor_impl_contracted(row, line.window, weights);
         continuing { j++; break if j >= rows; }
     }
-    let exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
+    let exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c)); // 2 pi^2
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
     // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
     let mean = wave + c; let before = lambda * sqrt(m.yx / m);
@@ -451,6 +456,7 @@ fn gabor_noise_filtered(p: vec2f, dx: vec2f, dy: vec2f, frequency: f32, orientat
 
 // Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 fn gabor_impl_mean_angle(q: f32) -> f32 {
+    // fit: see tools/constants.py
     return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
                 / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
@@ -473,9 +479,9 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, lobes_in:
 
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3f) -> f32 {
-    let area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
+    let area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z); // 2/3 pi^2
     let d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
-    let unit = 39.478418 / d * min(frequency * frequency, 1.0e12);
+    let unit = 39.478418 / d * min(frequency * frequency, 1.0e12); // 4 pi^2
     let apart = length(vec2f(covariance.x - covariance.y, 2.0 * covariance.z));
     let smaller = area + max(0.5 * (covariance.x + covariance.y - apart), 0.0);
     return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * inverseSqrt(d);
@@ -498,16 +504,17 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborImplW
     a *= exp(-max(dot(wave, x), 0.0));
     x = clamp(x, vec2f(-3.0), vec2f(3.0)); // changes no wave that the filter keeps
     let y = x * x;
+    // 0.041666667 is 1/24, 0.16666667 is 1/6 and 0.0083333333 is 1/120
     let even = 1.0 + y * (0.5 + 0.041666667 * y); let odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
-    var real = node.middle + even * node.cosine; var imaginary = 0.31830989 * odd * node.sine;
+    var real = node.middle + even * node.cosine; var imaginary = 0.31830989 * odd * node.sine; // 1/pi
     let h_x = vec2f(real.x, imaginary.x); let h_y = vec2f(real.y, imaginary.y);
     let value = gabor_impl_product(gabor_impl_product(h_x, h_y) + vec2f(s.z * node.sine.x * node.sine.y, 0.0), a);
     real = even * node.sine;
-    imaginary = -3.1415927 * odd * node.cosine;
+    imaginary = -3.1415927 * odd * node.cosine; // pi
     let along_x = gabor_impl_product(gabor_impl_product(vec2f(real.x, imaginary.x), h_y), a);
     let along_y = gabor_impl_product(gabor_impl_product(h_x, vec2f(real.y, imaginary.y)), a);
     (*sum).noise += value.y;
-    (*sum).gradient += vec2f(along_x.y, along_y.y) + value.y * faded + 6.2831853 * value.x * wave;
+    (*sum).gradient += vec2f(along_x.y, along_y.y) + value.y * faded + 6.2831853 * value.x * wave; // 2 pi
     (*sum).quadrature += value.x;
     (*sum).quadrature_gradient += vec2f(along_x.x, along_y.x) + value.x * faded - 6.2831853 * value.y * wave;
 }
@@ -529,7 +536,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequ
     let stretch = place.radius / GABOR_RADIUS;
     let unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
     s *= vec3f(stretch * stretch, stretch.x * stretch.y);
-    let fall = exp(-4.934802 * s.xy); let width = clamp(0.5 * sqrt(s.xy), vec2f(0.001), vec2f(0.05));
+    let fall = exp(-4.934802 * s.xy); let width = clamp(0.5 * sqrt(s.xy), vec2f(0.001), vec2f(0.05)); // pi^2 / 2
     let salt = gabor_impl_salt(seed);
     var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);

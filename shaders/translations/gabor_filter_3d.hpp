@@ -94,6 +94,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborImplFactors y_0, GaborImpl
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix s, bool wanted, std::uint32_t salt) {
     float determinant;
+    // 0.13069097 is 1/3 - 2/pi^2
     GaborImplMatrix m = GaborImplMatrix{s.diagonal + 0.13069097f, s.mixed}; // S + v
     GaborImplMatrix adjugate = gabor_impl_adjugate(m, determinant);
     gabor_vec3 blurred = gabor_impl_symmetric_3d(s, wave);
@@ -101,6 +102,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     gabor_vec3 d = gabor_cpp_sqrt(m.diagonal * determinant / adjugate.diagonal);
     gabor_vec3 pairs = gabor_cpp_sqrt(d.yzx() * d.zxy());
     adjugate = gabor_impl_adjugate(GaborImplMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
+    // 157.91367 is 16 pi^2
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
                                                        place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -143,12 +145,14 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
     // w / 4g times the next factor of the other axes.
     gabor_vec3 real = gabor_vec3(next_x.x, next_y.x, next_z.x), imaginary = gabor_vec3(next_x.y, next_y.y, next_z.y);
+    // 0.012665148 is 1/(8 pi^2)
     gabor_vec3 quarter = 0.012665148f / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborImplMatrix{gabor_vec3(0.0f), w}, real);
     imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborImplMatrix{gabor_vec3(0.0f), w}, imaginary);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + gabor_cpp_dot(d, c * c));
     float scale = gabor_cpp_sqrt(8.0f / determinant / GABOR_IMPL_ENERGY) * gabor_cpp_exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
+    // 6.2831853 is 2 pi
     return GaborField3d{scale * value.y, 6.2831853f * scale * real, scale * value.x, -6.2831853f * scale * imaginary,
                         0.0f};
 }
@@ -184,14 +188,14 @@ GABOR_INLINE GaborImplMatrix gabor_impl_covariance(GaborImplPixelAxes pixel) {
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborImplPixelAxes pixel) {
-    return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
+    return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor)); // pi^2 / 6
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
 GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborImplPixelAxes pixel) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 k = gabor_vec2(gabor_cpp_dot(wave, pixel.major), gabor_cpp_dot(wave, pixel.minor));
-    return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
+    return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y); // pi^2
 }
 
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
@@ -230,7 +234,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
         z.word[0] = z.word[1];
         z.word[1] = z.word[2];
     }
-    return gabor_impl_field_3d(sum, slopes, gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f)) * turn, wave);
+    return gabor_impl_field_3d(sum, slopes, gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f)) * turn, wave); // 2 pi^2
 }
 
 GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, gabor_vec3 wave, std::uint32_t seed) {
@@ -283,7 +287,7 @@ struct GaborImplFilteredNode {
 GABOR_INLINE GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float variance) {
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
     float t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(node.offset)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
-    float fall = fade * gabor_cpp_exp(-4.934802f * variance);
+    float fall = fade * gabor_cpp_exp(-4.934802f * variance); // pi^2 / 2
     float faded = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(node.offset) / gabor_cpp_max(fade, 1.0e-6f);
     return GaborImplFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope, faded};
 }
@@ -298,18 +302,18 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFi
     gabor_vec3 sine = gabor_vec3(x.sine, y.sine, z.sine), s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
     a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
     s = gabor_cpp_clamp(s, -3.0f, 3.0f); // changes no wave that the filter keeps
-    gabor_vec3 r = s * s, even = 1.0f + r * (0.5f + 0.041666667f * r);
-    gabor_vec3 odd = s * (1.0f + r * (0.16666667f + 0.0083333333f * r)), h = middle + cosine;
+    gabor_vec3 r = s * s, even = 1.0f + r * (0.5f + 0.041666667f * r); // 1/24
+    gabor_vec3 odd = s * (1.0f + r * (0.16666667f + 0.0083333333f * r)), h = middle + cosine; // 1/6, 1/120
     float mixed = gabor_cpp_dot(pixel.mixed, sine.yzx() * sine.zxy() * h);
     h = middle + even * cosine;
-    gabor_vec3 i_h = 0.31830989f * odd * sine, i_slope = -3.1415927f * odd * cosine;
+    gabor_vec3 i_h = 0.31830989f * odd * sine, i_slope = -3.1415927f * odd * cosine; // 1/pi, pi
     gabor_vec3 real = h.yzx() * h.zxy() - i_h.yzx() * i_h.zxy(), imaginary = h.yzx() * i_h.zxy() + i_h.yzx() * h.zxy();
     gabor_vec2 value =
         gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     gabor_vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
     gabor_vec3 faded = gabor_vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
-    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853f * value.x * wave.xyz();
+    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853f * value.x * wave.xyz(); // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853f * value.y * wave.xyz();
 }
@@ -332,7 +336,7 @@ GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplF
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel, GaborImplTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
-    gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;
+    gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d; // pi^2
     float mean;
     if (tangents.only) {
         gabor_vec2 a = gabor_vec2(gabor_cpp_dot(tangents.along, pixel.major), gabor_cpp_dot(tangents.along, pixel.minor));
@@ -342,6 +346,7 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborImplPi
     } else {
         gabor_vec2 q = unit * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
         float larger = gabor_cpp_max(q.x, q.y), smaller = gabor_cpp_min(q.x, q.y);
+        // fit: see tools/constants.py
         mean = gabor_cpp_sqrt((1.0f + larger * (0.31500545f + 0.08868891f * larger))
                     / (1.0f + larger * (0.98167212f + larger * (0.42128292f + 0.11292425f * larger))));
         mean *= gabor_impl_mean_angle(smaller * (1.0f - 1.0f / (3.0f + 0.8f * larger)));

@@ -74,6 +74,7 @@ fn gabor_impl_contracted_3d(y_0: GaborImplFactors, y_1: GaborImplFactors, y_2: G
 // The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
     var determinant: f32;
+    // 0.13069097 is 1/3 - 2/pi^2
     let m = GaborImplMatrix(s.diagonal + 0.13069097, s.mixed); // S + v
     var adjugate = gabor_impl_adjugate(m, &determinant);
     let blurred = gabor_impl_symmetric_3d(s, wave);
@@ -81,6 +82,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
     let d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     let pairs = sqrt(d.yzx * d.zxy);
     adjugate = gabor_impl_adjugate(GaborImplMatrix(1.0 + m.diagonal / d, s.mixed / pairs), &determinant); // of 1 + C
+    // 157.91367 is 16 pi^2
     let w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     let x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
                                      place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -124,12 +126,14 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
     // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
     // w / 4g times the next factor of the other axes.
     var real = vec3f(next_x.x, next_y.x, next_z.x); var imaginary = vec3f(next_x.y, next_y.y, next_z.y);
+    // 0.012665148 is 1/(8 pi^2)
     let quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborImplMatrix(vec3f(0.0), w), real);
     imaginary += (wave + c) * value.y + quarter * gabor_impl_symmetric_3d(GaborImplMatrix(vec3f(0.0), w), imaginary);
     let exponent = 19.739209 * (dot(wave + c, blurred) + dot(d, c * c));
     var scale = sqrt(8.0 / determinant / GABOR_IMPL_ENERGY) * exp(-exponent);
     scale /= GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY;
+    // 6.2831853 is 2 pi
     return GaborField3d(scale * value.y, 6.2831853 * scale * real, scale * value.x, -6.2831853 * scale * imaginary,
                         0.0);
 }
@@ -167,14 +171,14 @@ fn gabor_impl_covariance(pixel: GaborImplPixelAxes) -> GaborImplMatrix {
 
 // 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 fn gabor_impl_spread(pixel: GaborImplPixelAxes) -> vec2f {
-    return 1.0 + 1.6449341 * vec2f(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
+    return 1.0 + 1.6449341 * vec2f(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor)); // pi^2 / 6
 }
 
 // The share of a lobe's variance that a pixel's filter keeps.
 fn gabor_impl_transmitted_3d(wave: vec3f, pixel: GaborImplPixelAxes) -> f32 {
     let d = gabor_impl_spread(pixel);
     let k = vec2f(dot(wave, pixel.major), dot(wave, pixel.minor));
-    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inverseSqrt(d.x * d.y);
+    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inverseSqrt(d.x * d.y); // pi^2
 }
 
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
@@ -212,7 +216,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3f, pixel: GaborI
         z.word[0] = z.word[1];
         z.word[1] = z.word[2];
     }
-    return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave);
+    return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave); // 2 pi^2
 }
 
 fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, wave_in: vec3f, seed: u32) -> GaborField3d {
@@ -268,7 +272,7 @@ struct GaborImplFilteredNode {
 fn gabor_impl_filtered_node_3d(node: GaborImplNode, variance: f32) -> GaborImplFilteredNode {
     let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     let t = clamp((1.0 - abs(node.offset)) / width, 0.0, 1.0); let fade = t * t * (3.0 - 2.0 * t);
-    let fall = fade * exp(-4.934802 * variance);
+    let fall = fade * exp(-4.934802 * variance); // pi^2 / 2
     let faded = -6.0 / width * t * (1.0 - t) * sign(node.offset) / max(fade, 1.0e-6);
     return GaborImplFilteredNode(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
 }
@@ -283,17 +287,17 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImp
     let sine = vec3f(x.sine, y.sine, z.sine); var s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
     a *= exp(-max(dot(wave.xyz, s), 0.0));
     s = clamp(s, vec3f(-3.0), vec3f(3.0)); // changes no wave that the filter keeps
-    let r = s * s; let even = 1.0 + r * (0.5 + 0.041666667 * r);
-    let odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r)); var h = middle + cosine;
+    let r = s * s; let even = 1.0 + r * (0.5 + 0.041666667 * r); // 1/24
+    let odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r)); var h = middle + cosine; // 1/6, 1/120
     let mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
     h = middle + even * cosine;
-    let i_h = 0.31830989 * odd * sine; let i_slope = -3.1415927 * odd * cosine;
+    let i_h = 0.31830989 * odd * sine; let i_slope = -3.1415927 * odd * cosine; // 1/pi, pi
     let real = h.yzx * h.zxy - i_h.yzx * i_h.zxy; let imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
     let value = gabor_impl_product(vec2f(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     let slope = even * sine * real - i_slope * imaginary; let turned = even * sine * imaginary + i_slope * real;
     let faded = vec3f(x.faded, y.faded, z.faded);
     (*sum).noise += value.y;
-    (*sum).gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz;
+    (*sum).gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz; // 2 pi
     (*sum).quadrature += value.x;
     (*sum).quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
 }
@@ -317,7 +321,7 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborIm
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborImplPixelAxes, tangents: GaborImplTangents) -> f32 {
     let d = gabor_impl_spread(pixel);
-    let unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
+    let unit = min(9.8696044 * frequency * frequency, 1.0e6) / d; // pi^2
     var mean: f32;
     if (tangents.only) {
         let a = vec2f(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
@@ -327,6 +331,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborImplPixelAxes, t
     } else {
         let q = unit * vec2f(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
         let larger = max(q.x, q.y); let smaller = min(q.x, q.y);
+        // fit: see tools/constants.py
         mean = sqrt((1.0 + larger * (0.31500545 + 0.08868891 * larger))
                     / (1.0 + larger * (0.98167212 + larger * (0.42128292 + 0.11292425 * larger))));
         mean *= gabor_impl_mean_angle(smaller * (1.0 - 1.0 / (3.0 + 0.8 * larger)));

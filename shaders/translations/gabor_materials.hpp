@@ -303,7 +303,7 @@ GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborImplPixel at, gabor_vec2 density) 
 GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
-    amplitude /= 1.0f + 0.82246703f * size;
+    amplitude /= 1.0f + 0.82246703f * size; // pi^2 / 12
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
@@ -319,7 +319,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 densit
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 GABOR_INLINE GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
-    gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
+    gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle); // 1/(2 pi)
     gabor_vec2 x = turn;
     gabor_vec2 y = gabor_vec2(-turn.y, turn.x);
     gabor_vec2 period = gabor_vec2(0.0f);
@@ -353,7 +353,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborImplPixel pixel, float count, f
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
 GABOR_INLINE float gabor_impl_sine_kept(GaborImplPixel at, float count) {
-    return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0f));
+    return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0f)); // pi^2 / 2
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -383,6 +383,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GABOR_INLINE GaborImplLayer gabor_impl_octave(GaborImplPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
+    // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
                           gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_lobe_seed(seed, i)};
 }
@@ -448,6 +449,7 @@ GABOR_INLINE GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
 // derivatives of both.
 GABOR_INLINE gabor_vec4 gabor_impl_spots_node(float value, float slope, float damped, gabor_vec2 fade) {
     float window = 0.5f + damped * (value - 0.5f);
+    // 9.8696044 is pi^2
     return gabor_vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
                 -9.8696044f * fade.x * (window - 0.5f));
 }
@@ -462,8 +464,8 @@ struct GaborImplSpotsAxis {
 
 GABOR_INLINE GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, std::uint32_t salt, float variance) {
     float zero = gabor_cpp_floor(local + 0.5f), offset = gabor_cpp_clamp(local - zero, -0.5f, 0.5f);
-    float damped = gabor_cpp_exp(-4.934802f * variance), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
-    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-offset, offset)) / width, 0.0f, 1.0f);
+    float damped = gabor_cpp_exp(-4.934802f * variance), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f); // pi^2 / 2
+    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-offset, offset)) / width, 0.0f, 1.0f); // 1/3, 2/3
     gabor_vec2 fade = t * t * (3.0f - 2.0f * t), change = 6.0f / width * t * (1.0f - t) * gabor_vec2(-1.0f, 1.0f);
     gabor_vec4 value, slope;
     gabor_impl_windows(offset, value, slope);
@@ -516,9 +518,9 @@ GABOR_INLINE void gabor_impl_add_spot(GaborImplSpotsRow& row, GaborImplSpotsLine
 }
 
 GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bool wanted, std::uint32_t salt) {
-    gabor_vec2 m = s.xy() + 0.13069097f;
+    gabor_vec2 m = s.xy() + 0.13069097f; // 1/3 - 2/pi^2
     float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
-    float mixed = 78.956835f * s.z * r / (1.0f + r);
+    float mixed = 78.956835f * s.z * r / (1.0f + r); // 8 pi^2
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
                                                             place.period.x, salt, gabor_vec2(1.0f, 0.0f));
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
@@ -546,6 +548,7 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
         edge_y += y.fade.y * sum;
     } while (++j < rows);
     gabor_vec2 before = lambda * gabor_cpp_sqrt(m.yx() / m);
+    // 6.2831853 is 2 pi
     gabor_vec2 x = edge_x - 6.2831853f * (next_x - before.x * next_y), y = edge_y - 6.2831853f * (next_y - before.y * next_x);
     float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     return GaborField{scale * value.y, scale * gabor_vec2(x.y, y.y), scale * value.x, scale * gabor_vec2(x.x, y.x), 0.0f};
@@ -588,10 +591,10 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
 // (1 + 2/3 pi^2 S)^-1 F.
 GABOR_INLINE GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
     gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
+    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance; // 2/3 pi^2
     gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
-    gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave);
+    gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
     gabor_vec3 left = 3.2898681f * inverse + 39.478418f * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
     return gabor_impl_pair(layer, field, whole - (1.0f - field.removed) * left);
 }
@@ -623,6 +626,7 @@ GABOR_INLINE void gabor_impl_add_filtered_spots(GaborImplPairs& sum, GaborImplLa
 // The normal distribution function, within 2e-5.
 GABOR_INLINE float gabor_impl_below(float x) {
     x = gabor_cpp_clamp(x, -8.0f, 8.0f);
+    // fit: see tools/constants.py
     return 1.0f / (1.0f + gabor_cpp_exp2(-x * (2.301726f + x * x * (0.1061787f - 0.00091164f * x * x))));
 }
 
@@ -630,7 +634,7 @@ GABOR_INLINE float gabor_impl_below(float x) {
 GABOR_INLINE gabor_vec3 gabor_impl_above(gabor_vec3 noise, float removed, float threshold, float softness) {
     float scale = gabor_cpp_inversesqrt(softness * softness + removed);
     float x = scale * noise.x - scale * threshold;
-    return gabor_vec3(gabor_impl_below(x), 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(x * x, 100.0f)) * noise.yz());
+    return gabor_vec3(gabor_impl_below(x), 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(x * x, 100.0f)) * noise.yz()); // 1/sqrt(2 pi)
 }
 
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
@@ -642,7 +646,8 @@ GABOR_INLINE float gabor_impl_removed_square(float square, float mean, float rem
 GABOR_INLINE gabor_vec3 gabor_impl_above_lost(gabor_vec3 noise, float removed, gabor_vec3 lost, float threshold, float softness) {
     float scale = gabor_cpp_inversesqrt(softness * softness + removed), variance = 0.5f * softness * softness + removed;
     float d = (noise.x - threshold) * (noise.x - threshold);
-    float mean = 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(d * scale * scale, 100.0f));
+    float mean = 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(d * scale * scale, 100.0f)); // 1/sqrt(2 pi)
+    // 0.11253954 is 1/(2 pi sqrt(2))
     float square = 0.11253954f / softness * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(d / variance, 100.0f));
     return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz());
 }
@@ -689,7 +694,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
 // see gabor_impl_ends_at. `phase` is in turns.
 GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
     gabor_vec3 ends = gabor_impl_ends_at(phase.x, span.x);
-    gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns, integral = 0.33333333f * (turns + t * t * t);
+    gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns, integral = 0.33333333f * (turns + t * t * t); // 1/3
     float mean = ends.z * (integral.y - integral.x), change = ends.z * (t.y * t.y - t.x * t.x);
     // The change with the width, which is about 0.78 sqrt(1 - span).
     float widen = ends.z * (0.5f * (t.y * t.y + t.x * t.x) - mean) * (-0.5f / (ends.z * gabor_cpp_max(1.0f - span.x, 0.001f)));
@@ -703,6 +708,7 @@ GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
     gabor_vec3 ends = gabor_impl_ends_at(phase, span);
     gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns;
     float w = 1.0f / gabor_impl_ends_at(0.0f, full).z, rise = 1.0f - w;
+    // 1.3333333 is 4/3 and 0.33333333 is 1/3
     float risen = 1.3333333f - w * (2.0f - w + 0.33333333f * w * w), fallen = rise * rise * (1.0f / w + 0.33333333f * w);
     gabor_vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
@@ -824,8 +830,9 @@ GABOR_INLINE float gabor_impl_over(float x, float y, float weave) {
 // -1, and is level towards a thread that it crosses on the same side.
 GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend, bool level) {
     float square = thick.x * thick.x - 4.2f * across.x * across.x;
-    float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = level ? 0.0f : 3.1415927f * along.x;
+    float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = level ? 0.0f : 3.1415927f * along.x; // pi
     gabor_vec2 slope = (thick.x * thick.yz() - 4.2f * across.x * across.yz()) / gabor_cpp_max(side, 0.05f);
+    // 1.7278760 is 0.55 pi
     return gabor_vec3(side - (square < 0.0f ? 2.0f : 1.0f) + 0.55f * bend * gabor_cpp_cos(turn),
                 (square < 0.0f ? gabor_vec2(0.0f) : slope) - 1.7278760f * bend * gabor_cpp_sin(turn) * along.yz());
 }
@@ -875,11 +882,12 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
         float cords = gabor_impl_repeated(cloth, fabric.cords, 1.0f).x;
         gabor_vec3 at = cords * gabor_impl_along_x(cloth);
         float damped = gabor_impl_sine_kept(cloth, cords), half_cord = 0.5f * damped;
-        float second = 0.125f * damped * damped * damped * damped, turn = 6.2831853f * gabor_cpp_fract(at.x);
+        float second = 0.125f * damped * damped * damped * damped, turn = 6.2831853f * gabor_cpp_fract(at.x); // 2 pi
         float cord = 0.625f - half_cord * gabor_cpp_cos(turn) - second * gabor_cpp_cos(2.0f * turn);
         float depth = 0.3f * fabric.relief / cords, swing = depth * 6.2831853f;
         colour *= gabor_cpp_mix(0.3f, 1.0f, cord);
         height += gabor_vec3(depth * cord, swing * (half_cord * gabor_cpp_sin(turn) + 2.0f * second * gabor_cpp_sin(2.0f * turn)) * at.yz());
+        // 0.15625 is 5/32
         lost += swing * swing * (0.15625f - 0.5f * half_cord * half_cord - 2.0f * second * second)
                 * gabor_impl_square(at.yz());
     }
@@ -928,7 +936,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
         along.x += gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 0.5f; // from 0 to 1 over two rows
         across.x -= 1.0f;
         float cube = across.x * across.x * across.x, low = 1.0f - cube * across.x, arch = low * low;
-        gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
+        gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x)); // pi
         gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 8.0f * cube * low * wave.y * across.yz());
         colour += (0.35f + 0.65f * bulge.x) * (first ? warp : weft);
         bulge = 0.16f * bulge + 0.006f * (first ? of.pair_0.first : of.pair_1.first);
@@ -936,8 +944,9 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
         lost += gabor_impl_square(bulge.yz());
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(height, lost, samples, kept, 0.072432f, 0.0256f * 2.154f * gabor_vec3(count * count, 0.0f));
-    colour = gabor_cpp_mix(0.3221275f * (warp + weft), colour / float(samples), kept);
+    colour = gabor_cpp_mix(0.3221275f * (warp + weft), colour / float(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
     lost = unit * unit * (lost + 1.8e-5f * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0f);
 }
@@ -968,13 +977,14 @@ GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel
                                         std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
+    // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
 GABOR_INLINE GaborImplPair gabor_impl_moved_waves(GaborImplPair waves, GaborImplPixel at, gabor_vec2 wave, gabor_vec2 offset, float turns) {
     gabor_vec2 turn = gabor_impl_wave(turns);
-    gabor_vec3 phase = 6.2831853f * gabor_vec3(0.0f, gabor_cpp_dot(wave, at.by_x), gabor_cpp_dot(wave, at.by_y));
+    gabor_vec3 phase = 6.2831853f * gabor_vec3(0.0f, gabor_cpp_dot(wave, at.by_x), gabor_cpp_dot(wave, at.by_y)); // 2 pi
     gabor_vec3 a = waves.first + waves.second.x * phase, b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += gabor_cpp_dot(a.yz(), offset);
     b.x += gabor_cpp_dot(b.yz(), offset);
@@ -993,6 +1003,7 @@ GABOR_INLINE void gabor_impl_crest(GaborImplPair waves, gabor_vec3& cosine, gabo
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
 GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather, GaborImplPairs of) {
+    // 2.2944 is 0.2 + 2/3 pi
     gabor_vec2 wave_a = gabor_wave_vector(leather.cells, 0.2f), wave_b = gabor_wave_vector(leather.cells, 2.2944f);
     gabor_vec2 dx = gabor_vec2(gabor_cpp_dot(wave_a, skin.dx), gabor_cpp_dot(wave_b, skin.dx));
     gabor_vec2 dy = gabor_vec2(gabor_cpp_dot(wave_a, skin.dy), gabor_cpp_dot(wave_b, skin.dy));
@@ -1019,6 +1030,7 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
         lost += gabor_impl_square(relief.yz());
     }
     gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, -0.00012f);
+    // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14f)
@@ -1113,6 +1125,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripple
     gabor_vec2 z = gabor_vec2(of.pair_2.first.x, of.pair_2.second.x);
     float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.pair_2.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
     gabor_vec2 change = z.x * of.pair_2.first.yz() + z.y * of.pair_2.second.yz(); // half the derivative of the power
+    // 0.15915494 is 1/(2 pi)
     gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.pair_2.second.yz() - z.y * of.pair_2.first.yz()));
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
     gabor_vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
@@ -1129,6 +1142,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripple
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
     gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    // 7.65625e-5 is 0.00875^2
     gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
               + 0.0009f * of.pair_0.lost + 7.65625e-5f * sand.grain * sand.grain * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
@@ -1168,7 +1182,7 @@ GABOR_INLINE void gabor_impl_add_metal(GaborImplPairs& of, int i, GaborImplLayer
     }
     float size = gabor_cpp_exp2(-float(i));
     of.pair_0.first += size * pair.first;
-    of.pair_0.second += 0.4472136f * pair.second;
+    of.pair_0.second += 0.4472136f * pair.second; // 1/sqrt(5)
     of.pair_0.removed += 0.2f * pair.removed;
     of.pair_0.lost += size * size * pair.lost;
 }
@@ -1204,7 +1218,7 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, std::uint32_t seed) {
-    float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
+    float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f); // 3 - sqrt(5)
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
@@ -1257,6 +1271,7 @@ GABOR_INLINE float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra
 // Hair, tone and stripes.
 GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
                                       GaborZebra zebra, std::uint32_t seed) {
+    // 2.0707963 is 0.5 + pi/2
     if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
     if (i == 1) return gabor_impl_spots_layer(1, pixel, gabor_vec2(1.2f), seed, 4);
     return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
@@ -1322,10 +1337,12 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
     // by the plate.
+    // 0.0919239 is 0.13/sqrt(2)
     float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.pair_3.first, of.pair_3.removed, 0.0919239f).x;
     float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
     float deep = bark.depth + 0.0108f * of.pair_0.first.x, coarses = 0.16f + 0.48f * plate.x + 0.36f * wholes * rises;
     float both = 0.0072f * deep * coarse.x * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
+    // 0.00011664 is 0.0108^2
     gabor_vec3 lost = (deep * deep + 0.00011664f * of.pair_0.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of.pair_2.lost + 0.04f * of.pair_0.lost, -0.15f, 0.35f)
                  + 0.3025f * rises * gabor_impl_line_lost(of.pair_3.first, of.pair_3.removed, of.pair_3.lost, 0.13f))
@@ -1359,6 +1376,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel,
                                        std::uint32_t seed) {
     if (i < 4)
         return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
+    // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
                  : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
     return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
@@ -1547,10 +1565,12 @@ GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), gabor_vec3(0.14f, 0.33f, 0.27f), 9.0f, 0.09f, 0.0012f, 0.36f, 0.0f};
 }
 GABOR_INLINE GaborScratches gabor_scratches_default() {
+    // 1.5707963 is pi/2 and 3.1415927 is pi
     return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 3.1415927f, 0.0025f,
                           0.3f};
 }
 GABOR_INLINE GaborZebra gabor_zebra_default() {
+    // 0.2967060 is 17/180 pi and 0.3490659 is 20/180 pi
     return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.2967060f, 0.3490659f, 1.0f, 0.7f};
 }
 GABOR_INLINE GaborBark gabor_bark_default() {

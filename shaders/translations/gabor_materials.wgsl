@@ -288,7 +288,7 @@ fn gabor_impl_warp(at: GaborImplPixel, density: vec2f, amplitude_in: vec2f, seed
     var amplitude = amplitude_in;
     let steps = gabor_impl_radii(at, density);
     let size = min(dot(steps, steps), 1.0e6); let bend = 1.0 / (1.0 + 64.0 * size);
-    amplitude /= 1.0 + 0.82246703 * size;
+    amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
     let field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     let along_x = amplitude * density.x * vec2f(field.quadrature_gradient.x, field.gradient.x);
     let along_y = amplitude * density.y * vec2f(field.quadrature_gradient.y, field.gradient.y);
@@ -304,7 +304,7 @@ fn gabor_impl_warp(at: GaborImplPixel, density: vec2f, amplitude_in: vec2f, seed
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(at: GaborImplPixel, angle: f32) -> GaborImplPixel {
-    let turn = gabor_impl_wave(0.15915494 * angle);
+    let turn = gabor_impl_wave(0.15915494 * angle); // 1/(2 pi)
     var x = turn;
     var y = vec2f(-turn.y, turn.x);
     var period = vec2f(0.0);
@@ -340,7 +340,7 @@ fn gabor_impl_repeated(pixel: GaborImplPixel, count: f32, whole: f32) -> vec2f {
 
 // What a pixel keeps of a sine along x that repeats `count` times per unit.
 fn gabor_impl_sine_kept(at: GaborImplPixel, count: f32) -> f32 {
-    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0));
+    return exp(-min(4.9348022 * count * count * (at.dx.x * at.dx.x + at.dy.x * at.dy.x), 40.0)); // pi^2 / 2
 }
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
@@ -370,6 +370,7 @@ fn gabor_impl_waves_layer(slot: i32, at: GaborImplPixel, density: vec2f, frequen
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 fn gabor_impl_octave(at: GaborImplPixel, density: vec2f, i: i32, count: i32, gain: f32, seed: u32) -> GaborImplLayer {
     let power = (1.0 - pow(gain, 2.0 * f32(count))) / (1.0 - gain * gain);
+    // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer(0, at, density * exp2(1.0214797 * f32(i)), vec2f(0.0),
                           pow(gain, f32(i)) * inverseSqrt(power), gabor_lobe_seed(seed, i));
 }
@@ -434,6 +435,7 @@ fn gabor_impl_waves_pair(layer: GaborImplLayer) -> GaborImplPair {
 // derivatives of both.
 fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2f) -> vec4f {
     let window = 0.5 + damped * (value - 0.5);
+    // 9.8696044 is pi^2
     return vec4f(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
                  -9.8696044 * fade.x * (window - 0.5));
 }
@@ -448,8 +450,8 @@ struct GaborImplSpotsAxis {
 
 fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborImplSpotsAxis {
     let zero = floor(local + 0.5); let offset = clamp(local - zero, -0.5, 0.5);
-    let damped = exp(-4.934802 * variance); let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
-    let t = clamp((0.33333333 + 0.66666667 * vec2f(-offset, offset)) / width, vec2f(0.0), vec2f(1.0));
+    let damped = exp(-4.934802 * variance); let width = clamp(0.5 * sqrt(variance), 0.001, 0.05); // pi^2 / 2
+    let t = clamp((0.33333333 + 0.66666667 * vec2f(-offset, offset)) / width, vec2f(0.0), vec2f(1.0)); // 1/3, 2/3
     let fade = t * t * (3.0 - 2.0 * t); let change = 6.0 / width * t * (1.0 - t) * vec2f(-1.0, 1.0);
     var value: vec4f; var slope: vec4f;
     gabor_impl_windows(offset, &value, &slope);
@@ -502,9 +504,9 @@ fn gabor_impl_add_spot(row: ptr<function, GaborImplSpotsRow>, x: GaborImplSpotsL
 }
 
 fn gabor_impl_spots_wide(place: GaborPlace, s: vec3f, wanted: bool, salt: u32) -> GaborField {
-    let m = s.xy + 0.13069097;
+    let m = s.xy + 0.13069097; // 1/3 - 2/pi^2
     let rho = s.z * inverseSqrt(m.x * m.y); let r = sqrt(1.0 - rho * rho); let lambda = rho / (1.0 + r);
-    let mixed = 78.956835 * s.z * r / (1.0 + r);
+    let mixed = 78.956835 * s.z * r / (1.0 + r); // 8 pi^2
     let across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
                                           place.period.x, salt, vec2f(1.0, 0.0));
     let along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
@@ -534,6 +536,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3f, wanted: bool, salt: u32) -
         continuing { j++; break if j >= rows; }
     }
     let before = lambda * sqrt(m.yx / m);
+    // 6.2831853 is 2 pi
     let x = edge_x - 6.2831853 * (next_x - before.x * next_y);
     let y = edge_y - 6.2831853 * (next_y - before.y * next_x);
     let scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -578,10 +581,10 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, seed: u32)
 // (1 + 2/3 pi^2 S)^-1 F.
 fn gabor_impl_filtered_pair(layer: GaborImplLayer, field: GaborField) -> GaborImplPair {
     let steps = gabor_impl_radii(layer.at, layer.density);
-    let a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+    let a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance; // 2/3 pi^2
     var inverse = vec3f(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
-    let whole = vec3f(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
+    let whole = vec3f(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
     let left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
     return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
 }
@@ -613,6 +616,7 @@ fn gabor_impl_add_filtered_spots(sum: ptr<function, GaborImplPairs>, layer: Gabo
 fn gabor_impl_below(x_in: f32) -> f32 {
     var x = x_in;
     x = clamp(x, -8.0, 8.0);
+    // fit: see tools/constants.py
     return 1.0 / (1.0 + exp2(-x * (2.301726 + x * x * (0.1061787 - 0.00091164 * x * x))));
 }
 
@@ -620,7 +624,7 @@ fn gabor_impl_below(x_in: f32) -> f32 {
 fn gabor_impl_above(noise: vec3f, removed: f32, threshold: f32, softness: f32) -> vec3f {
     let scale = inverseSqrt(softness * softness + removed);
     let x = scale * noise.x - scale * threshold;
-    return vec3f(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz);
+    return vec3f(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz); // 1/sqrt(2 pi)
 }
 
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
@@ -632,7 +636,8 @@ fn gabor_impl_removed_square(square: f32, mean: f32, removed: f32) -> f32 {
 fn gabor_impl_above_lost(noise: vec3f, removed: f32, lost: vec3f, threshold: f32, softness: f32) -> vec3f {
     let scale = inverseSqrt(softness * softness + removed); let variance = 0.5 * softness * softness + removed;
     let d = (noise.x - threshold) * (noise.x - threshold);
-    let mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0));
+    let mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0)); // 1/sqrt(2 pi)
+    // 0.11253954 is 1/(2 pi sqrt(2))
     let square = 0.11253954 / softness * inverseSqrt(variance) * exp(-0.5 * min(d / variance, 100.0));
     return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz);
 }
@@ -681,7 +686,7 @@ fn gabor_impl_toned(colour: vec3f, tone: vec2f) -> vec3f {
 // see gabor_impl_ends_at. `phase` is in turns.
 fn gabor_impl_rise(phase: vec3f, span: vec3f) -> vec3f {
     let ends = gabor_impl_ends_at(phase.x, span.x);
-    let turns = floor(ends.xy); let t = ends.xy - turns; let integral = 0.33333333 * (turns + t * t * t);
+    let turns = floor(ends.xy); let t = ends.xy - turns; let integral = 0.33333333 * (turns + t * t * t); // 1/3
     let mean = ends.z * (integral.y - integral.x); let change = ends.z * (t.y * t.y - t.x * t.x);
     // The change with the width, which is about 0.78 sqrt(1 - span).
     let widen = ends.z * (0.5 * (t.y * t.y + t.x * t.x) - mean) * (-0.5 / (ends.z * max(1.0 - span.x, 0.001)));
@@ -695,6 +700,7 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     let ends = gabor_impl_ends_at(phase, span);
     let turns = floor(ends.xy); let t = ends.xy - turns;
     let w = 1.0 / gabor_impl_ends_at(0.0, full).z; let rise = 1.0 - w;
+    // 1.3333333 is 4/3 and 0.33333333 is 1/3
     let risen = 1.3333333 - w * (2.0 - w + 0.33333333 * w * w); let fallen = rise * rise * (1.0 / w + 0.33333333 * w);
     let integral = risen * (turns + t * t * t) + fallen * turns;
     let change = ends.z * (t.y * t.y - t.x * t.x);
@@ -819,8 +825,9 @@ fn gabor_impl_over(x_in: f32, y: f32, weave: f32) -> f32 {
 // -1, and is level towards a thread that it crosses on the same side.
 fn gabor_impl_thread(across: vec3f, thick: vec3f, along: vec3f, bend: f32, level: bool) -> vec3f {
     let square = thick.x * thick.x - 4.2 * across.x * across.x;
-    let side = sqrt(max(square, 0.0)); let turn = select(3.1415927 * along.x, 0.0, level);
+    let side = sqrt(max(square, 0.0)); let turn = select(3.1415927 * along.x, 0.0, level); // pi
     let slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
+    // 1.7278760 is 0.55 pi
     return vec3f(side - select(1.0, 2.0, square < 0.0) + 0.55 * bend * cos(turn),
                  select(slope, vec2f(0.0), square < 0.0) - 1.7278760 * bend * sin(turn) * along.yz);
 }
@@ -869,11 +876,12 @@ fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, o
         let cords = gabor_impl_repeated(cloth, fabric.cords, 1.0).x;
         let at = cords * gabor_impl_along_x(cloth);
         let damped = gabor_impl_sine_kept(cloth, cords); let half_cord = 0.5 * damped;
-        let second = 0.125 * damped * damped * damped * damped; let turn = 6.2831853 * fract(at.x);
+        let second = 0.125 * damped * damped * damped * damped; let turn = 6.2831853 * fract(at.x); // 2 pi
         let cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
         let depth = 0.3 * fabric.relief / cords; let swing = depth * 6.2831853;
         colour *= mix(0.3, 1.0, cord);
         height += vec3f(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
+        // 0.15625 is 5/32
         lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
                 * gabor_impl_square(at.yz);
     }
@@ -922,7 +930,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
         along.x += select(0.5, 0.0, fract(0.5 * turn + 0.25) < 0.5); // from 0 to 1 over two rows
         across.x -= 1.0;
         let cube = across.x * across.x * across.x; let low = 1.0 - cube * across.x; let arch = low * low;
-        let wave = vec2f(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+        let wave = vec2f(cos(3.1415927 * along.x), sin(3.1415927 * along.x)); // pi
         var bulge = vec3f(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * select(weft, warp, first);
         bulge = 0.16 * bulge + 0.006 * select(of_.pair_1.first, of_.pair_0.first, first);
@@ -930,8 +938,9 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
         lost += gabor_impl_square(bulge.yz);
     }
     // The bulge's mean is 0.4527, and its slope's mean square, over tows along x and y, 2.154.
+    // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(&height, &lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3f(count * count, 0.0));
-    colour = mix(0.3221275 * (warp + weft), colour / f32(samples), kept);
+    colour = mix(0.3221275 * (warp + weft), colour / f32(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
     lost = unit * unit * (lost + 1.8e-5 * (of_.pair_0.lost + of_.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
@@ -961,13 +970,14 @@ fn gabor_impl_skin(pixel: GaborImplPixel, leather: GaborLeather, seed: u32) -> G
 fn gabor_impl_leather_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplLayer {
     if (i < 3) { return gabor_impl_octave(pixel, vec2f(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4)); }
     if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(0.8), seed, 5); }
+    // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, vec2f(leather.cells / 1.6), 1.6, select(2.2944, 0.2, i == 4), seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
 fn gabor_impl_moved_waves(waves: GaborImplPair, at: GaborImplPixel, wave: vec2f, offset: vec2f, turns: f32) -> GaborImplPair {
     let turn = gabor_impl_wave(turns);
-    let phase = 6.2831853 * vec3f(0.0, dot(wave, at.by_x), dot(wave, at.by_y));
+    let phase = 6.2831853 * vec3f(0.0, dot(wave, at.by_x), dot(wave, at.by_y)); // 2 pi
     var a = waves.first + waves.second.x * phase; var b = waves.second - waves.first.x * phase; // the envelope's slopes
     a.x += dot(a.yz, offset);
     b.x += dot(b.yz, offset);
@@ -986,6 +996,7 @@ fn gabor_impl_crest(waves: GaborImplPair, cosine: ptr<function, vec3f>, sine: pt
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
 fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, of_: GaborImplPairs) -> GaborMaterial {
+    // 2.2944 is 0.2 + 2/3 pi
     let wave_a = gabor_wave_vector(leather.cells, 0.2); let wave_b = gabor_wave_vector(leather.cells, 2.2944);
     let dx = vec2f(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     let dy = vec2f(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
@@ -1012,6 +1023,7 @@ fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: Gabo
         lost += gabor_impl_square(relief.yz);
     }
     let square = leather.cells * leather.cells * vec3f(0.0027, 0.0024, -0.00012);
+    // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(&height, &lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / f32(samples), kept);
     let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.14)
@@ -1109,6 +1121,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs
     let power = max(dot(z, z), 1.0e-6); let whole = power + 2.5 * of_.pair_2.removed;
     let span = 0.9 * sqrt(power / whole);
     let change = z.x * of_.pair_2.first.yz + z.y * of_.pair_2.second.yz; // half the derivative of the power
+    // 0.15915494 is 1/(2 pi)
     let phase = vec3f(gabor_phasor(z).x, 0.15915494 / power * (z.x * of_.pair_2.second.yz - z.y * of_.pair_2.first.yz));
     let ripple = gabor_impl_rise(phase, span * vec3f(1.0, (1.0 / power - 1.0 / whole) * change));
     let tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, sand.grain)
@@ -1125,6 +1138,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     let bent = vec3f(0.4 * ripples.density * ripples.density, 0.0);
     let square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    // 7.65625e-5 is 0.00875^2
     let lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
               + 0.0009 * of_.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of_.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
@@ -1165,7 +1179,7 @@ fn gabor_impl_add_metal(of_: ptr<function, GaborImplPairs>, i: i32, layer: Gabor
     }
     let size = exp2(-f32(i));
     (*of_).pair_0.first += size * pair.first;
-    (*of_).pair_0.second += 0.4472136 * pair.second;
+    (*of_).pair_0.second += 0.4472136 * pair.second; // 1/sqrt(5)
     (*of_).pair_0.removed += 0.2 * pair.removed;
     (*of_).pair_0.lost += size * size * pair.lost;
 }
@@ -1200,7 +1214,7 @@ fn gabor_brushed_metal_at(p: vec2f, period: vec2f, metal: GaborBrushedMetal, see
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScratches, seed: u32) -> GaborImplLayer {
-    let angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * f32(i)) - 0.5);
+    let angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * f32(i)) - 0.5); // 3 - sqrt(5)
     var at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
@@ -1255,6 +1269,7 @@ fn gabor_impl_stripes_direction(pixel: GaborImplPixel, zebra: GaborZebra, seed: 
 // Hair, tone and stripes.
 fn gabor_impl_zebra_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, direction: f32, zebra: GaborZebra,
                           seed: u32) -> GaborImplLayer {
+    // 2.0707963 is 0.5 + pi/2
     if (i == 0) { return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2f(6.0, 80.0), seed, 3); }
     if (i == 1) { return gabor_impl_spots_layer(1, pixel, vec2f(1.2), seed, 4); }
     return gabor_impl_waves_layer(2, skin, vec2f(zebra.stripes / 1.4), 1.4, direction, seed, 2);
@@ -1320,10 +1335,12 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborImplPairs) -> GaborMaterial {
     let height = bark.depth * plate + 0.018 * gabor_impl_times(of_.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
     // by the plate.
+    // 0.0919239 is 0.13/sqrt(2)
     let wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of_.pair_3.first, of_.pair_3.removed, 0.0919239).x;
     let rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
     let deep = bark.depth + 0.0108 * of_.pair_0.first.x; let coarses = 0.16 + 0.48 * plate.x + 0.36 * wholes * rises;
     let both = 0.0072 * deep * coarse.x * whole.x * gabor_impl_above(vec3f(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    // 0.00011664 is 0.0108^2
     let lost = (deep * deep + 0.00011664 * of_.pair_0.removed)
               * (wholes * gabor_impl_above_lost(shape, removed, of_.pair_2.lost + 0.04 * of_.pair_0.lost, -0.15, 0.35)
                 + 0.3025 * rises * gabor_impl_line_lost(of_.pair_3.first, of_.pair_3.removed, of_.pair_3.lost, 0.13))
@@ -1358,6 +1375,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborImplPixel, rock: GaborImplPixel, 
     if (i < 4) {
         return gabor_impl_octave(pixel, vec2f(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
     }
+    // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     let density = select(select(select(vec2f(0.6, 8.3333333), vec2f(0.25, 2.8333333), i == 6),
                                                    vec2f(0.14, 1.0), i == 5), vec2f(0.1, 0.33333333), i == 4);
     return gabor_impl_spots_layer(i - 3, rock, density * vec2f(1.0, strata.layers), seed, i - 1);
@@ -1553,10 +1571,12 @@ fn gabor_brushed_metal_default() -> GaborBrushedMetal {
     return GaborBrushedMetal(vec3f(0.55, 0.555, 0.565), vec3f(0.14, 0.33, 0.27), 9.0, 0.09, 0.0012, 0.36, 0.0);
 }
 fn gabor_scratches_default() -> GaborScratches {
+    // 1.5707963 is pi/2 and 3.1415927 is pi
     return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
                           0.3);
 }
 fn gabor_zebra_default() -> GaborZebra {
+    // 0.2967060 is 17/180 pi and 0.3490659 is 20/180 pi
     return GaborZebra(vec3f(0.70, 0.64, 0.54), vec3f(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7);
 }
 fn gabor_bark_default() -> GaborBark {

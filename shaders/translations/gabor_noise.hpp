@@ -202,6 +202,7 @@ GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
 // node's amplitude.
 GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word) {
     gabor_vec2 u = gabor_vec2(float(int(word)), float(int(word << 12u)));
+    // fit: see tools/constants.py
     return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
 }
 
@@ -230,6 +231,7 @@ GABOR_INLINE void gabor_impl_add_products(gabor_vec4& sums, gabor_vec4 pair, gab
 // (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 GABOR_INLINE gabor_vec2 gabor_impl_half_turn(float t) {
     float s = t * t, r = s * s;
+    // fits: see tools/constants.py
     return gabor_vec2((1.0f - 19.739171f * s) + r * ((64.934591f - 85.240337f * s) + 56.24243f * r),
                 t * ((6.2831852f - 41.341655f * s) + r * ((81.601004f - 76.549782f * s) + 39.536707f * r)));
 }
@@ -260,22 +262,24 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
 #elif GABOR_TAPS == 3
 GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
     float y = x * x;
+    // fits: see tools/constants.py
     float c = 0.5f - y * (1.0966099f - y * (0.40054826f - y * 0.05644487f)); // cos(2/3 pi x) / 2
     float s = x * (0.90689956f - y * (0.66301124f - y * (0.14532053f - y * 0.01467483f))); // sqrt(3)/4 sin(2/3 pi x)
     float a = 0.5f - 0.5f * c;
-    float b = 1.8137994f * s;
+    float b = 1.8137994f * s; // pi/sqrt(3)
     value = gabor_vec4(a - s, 0.5f + c, a + s, 0.0f);
-    slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f);
+    slope = gabor_vec4(b - 2.7206991f * c, -2.0f * b, b + 2.7206991f * c, 0.0f); // sqrt(3)/2 pi
 }
 #else
 GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
     // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
     float z = x - 0.5f, y = z * z;
+    // fits: see tools/constants.py
     float cosine = 0.35355339f - y * (0.43617809f - y * (0.089663389f - y * 0.0072217699f));
     float sine = z * (0.55536036f - y * (0.22838240f - y * (0.028169684f - y * 0.0016236196f)));
     float c = cosine - sine, s = cosine + sine;
     value = 0.5f + gabor_vec4(-s, c, s, -c);
-    slope = 3.1415927f * gabor_vec4(-c, -s, c, s);
+    slope = 3.1415927f * gabor_vec4(-c, -s, c, s); // pi
 }
 #endif
 
@@ -344,6 +348,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment
         std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
         gabor_vec2 turn = gabor_impl_wave(moment);
+        // 0.70710678 is 1/sqrt(2)
         amplitude = (0.5f + 0.5f * turn.x) * amplitude + (0.5f - 0.5f * turn.x) * gabor_impl_amplitude(second)
                   + 0.70710678f * turn.y * gabor_impl_amplitude(third);
     }
@@ -426,7 +431,7 @@ GABOR_INLINE GaborPlace gabor_place_at(gabor_vec2 p) {
 }
 
 GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
-    gabor_vec2 side = gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f);
+    gabor_vec2 side = gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f); // 2^-10
     gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(side * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
     place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / side.x : GABOR_RADIUS,
@@ -437,7 +442,7 @@ GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
 }
 
 GABOR_INLINE gabor_vec2 gabor_wave_vector(float frequency, float orientation) {
-    return gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * gabor_cpp_clamp(orientation, -1.0e6f, 1.0e6f));
+    return gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * gabor_cpp_clamp(orientation, -1.0e6f, 1.0e6f)); // 1/(2 pi)
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
@@ -466,8 +471,8 @@ GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float
 
 GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
-    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
-    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
+    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f; // 1/(2 pi)
+    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity); // 1 - 2^-24
 }
 
 // For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
@@ -475,8 +480,8 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
 GABOR_INLINE gabor_vec3 gabor_stripes_of(GaborField field, float sharpness) {
     gabor_vec2 value = gabor_vec2(field.quadrature, field.noise);
     float power = gabor_cpp_dot(value, value), removed = gabor_cpp_max(field.removed, 0.0f);
-    float reach = gabor_cpp_sqrt(power + 2.5464791f * removed);
-    return gabor_vec3(sharpness / gabor_cpp_max(sharpness * reach, 1.0f) * value, gabor_cpp_sqrt(power + 1.5707963f * removed));
+    float reach = gabor_cpp_sqrt(power + 2.5464791f * removed); // 8/pi
+    return gabor_vec3(sharpness / gabor_cpp_max(sharpness * reach, 1.0f) * value, gabor_cpp_sqrt(power + 1.5707963f * removed)); // pi/2
 }
 
 GABOR_INLINE gabor_vec3 gabor_stripes(gabor_vec2 p, gabor_vec2 wave, float sharpness, std::uint32_t seed) {

@@ -189,6 +189,7 @@ const GABOR_IMPL_DEVIATION: f32 = 1.4599553e27;
 // node's amplitude.
 fn gabor_impl_amplitude(word: u32) -> vec2f {
     let u = vec2f(f32(i32(word)), f32(i32(word << 12u)));
+    // fit: see tools/constants.py
     return (u - 0.89289313 * clamp(u, vec2f(-2.0119258e9), vec2f(2.0119258e9))) * (u * u + 7.3973916e18);
 }
 
@@ -217,6 +218,7 @@ fn gabor_impl_add_products(sums: ptr<function, vec4f>, pair: vec4f, z: vec2f) {
 // (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 fn gabor_impl_half_turn(t: f32) -> vec2f {
     let s = t * t; let r = s * s;
+    // fits: see tools/constants.py
     return vec2f((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
                  t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
@@ -238,12 +240,13 @@ const GABOR_IMPL_ENERGY: f32 = select(0.375 * f32(GABOR_TAPS), 1.0, GABOR_TAPS =
 const_assert GABOR_TAPS == 3;
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4f>, slope: ptr<function, vec4f>) {
     let y = x * x;
+    // fits: see tools/constants.py
     let c = 0.5 - y * (1.0966099 - y * (0.40054826 - y * 0.05644487)); // cos(2/3 pi x) / 2
     let s = x * (0.90689956 - y * (0.66301124 - y * (0.14532053 - y * 0.01467483))); // sqrt(3)/4 sin(2/3 pi x)
     let a = 0.5 - 0.5 * c;
-    let b = 1.8137994 * s;
+    let b = 1.8137994 * s; // pi/sqrt(3)
     *value = vec4f(a - s, 0.5 + c, a + s, 0.0);
-    *slope = vec4f(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
+    *slope = vec4f(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0); // sqrt(3)/2 pi
 }
 
 // The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
@@ -312,6 +315,7 @@ fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2f {
         let second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         let third = (second ^ (second >> 15u)) * 0xd35a2d97u;
         let turn = gabor_impl_wave(moment);
+        // 0.70710678 is 1/sqrt(2)
         amplitude = (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
                   + 0.70710678 * turn.y * gabor_impl_amplitude(third);
     }
@@ -397,7 +401,7 @@ fn gabor_place_at(p: vec2f) -> GaborPlace {
 }
 
 fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
-    let side = clamp(period, vec2f(0.0009765625), vec2f(1.0e9));
+    let side = clamp(period, vec2f(0.0009765625), vec2f(1.0e9)); // 2^-10
     let nodes = max(floor(side * GABOR_RADIUS + 0.5), vec2f(f32(GABOR_TAPS)));
     var place = gabor_place(vec2i(0), vec2f(0.0));
     place.radius = vec2f(select(GABOR_RADIUS, nodes.x / side.x, period.x > 0.0),
@@ -408,7 +412,7 @@ fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
 }
 
 fn gabor_wave_vector(frequency: f32, orientation: f32) -> vec2f {
-    return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6));
+    return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)); // 1/(2 pi)
 }
 
 fn gabor_noise(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {
@@ -437,8 +441,8 @@ fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) ->
 
 fn gabor_phasor(value: vec2f) -> vec2f {
     let intensity = length(value);
-    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0);
-    return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity);
+    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0); // 1/(2 pi)
+    return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity); // 1 - 2^-24
 }
 
 // For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
@@ -446,8 +450,8 @@ fn gabor_phasor(value: vec2f) -> vec2f {
 fn gabor_stripes_of(field: GaborField, sharpness: f32) -> vec3f {
     let value = vec2f(field.quadrature, field.noise);
     let power = dot(value, value); let removed = max(field.removed, 0.0);
-    let reach = sqrt(power + 2.5464791 * removed);
-    return vec3f(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * removed));
+    let reach = sqrt(power + 2.5464791 * removed); // 8/pi
+    return vec3f(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * removed)); // pi/2
 }
 
 fn gabor_stripes(p: vec2f, wave: vec2f, sharpness: f32, seed: u32) -> vec3f {

@@ -175,6 +175,7 @@ GaborField3d gabor_impl_field_3d(float4 sum, float4 slopes, float2 turn, float3 
     turn *= rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     sum = float4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = float4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
+    // 6.2831853 is 2 pi
     return GaborField3d_of(sum.y, float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
                         sum.x, float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
@@ -305,13 +306,13 @@ GaborImplStar3d GaborImplStar3d_of(float4 first, float4 second, float4 third)
 // circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
 // around it within a quarter circle.
 GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, float3 d, uint word) {
-    float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
+    float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word))); // 2^-33
     float3 first = turn.x * tangents.along + turn.y * tangents.across;
     float3 second = turn.x * tangents.across - turn.y * tangents.along;
     float4 u = float4(first, dot(first, d)), v = float4(second, dot(second, d)), w = float4(0.0, 0.0, 1.0, d.z);
     if (!tangents.only) {
-        float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0));
-        float2 spin = gabor_impl_half_turn(5.8207661e-11 * float(int(word << 20u)));
+        float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0)); // 2^-31
+        float2 spin = gabor_impl_half_turn(5.8207661e-11 * float(int(word << 20u))); // 2^-34
         float4 across = v, lifted = level * w - rise * u;
         u = level * u + rise * w;
         v = spin.x * across + spin.y * lifted;
@@ -326,7 +327,7 @@ void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, 
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float2 value = window.w * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
+    sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.xyz - 6.2831853 * value.y * wave.xyz;
 }

@@ -158,6 +158,7 @@ GABOR_INLINE GaborField3d gabor_impl_field_3d(gabor_vec4 sum, gabor_vec4 slopes,
     turn *= gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     sum = gabor_vec4(gabor_impl_product(sum.xy(), turn), gabor_impl_product(sum.zw(), turn));
     slopes = gabor_vec4(gabor_impl_product(slopes.xy(), turn), gabor_impl_product(slopes.zw(), turn));
+    // 6.2831853 is 2 pi
     return GaborField3d{sum.y, gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave,
                         sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
@@ -261,13 +262,13 @@ struct GaborImplStar3d {
 // circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
 // around it within a quarter circle.
 GABOR_INLINE GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, gabor_vec3 d, std::uint32_t word) {
-    gabor_vec2 turn = gabor_impl_half_turn(1.1641532e-10f * float(int(word)));
+    gabor_vec2 turn = gabor_impl_half_turn(1.1641532e-10f * float(int(word))); // 2^-33
     gabor_vec3 first = turn.x * tangents.along + turn.y * tangents.across;
     gabor_vec3 second = turn.x * tangents.across - turn.y * tangents.along;
     gabor_vec4 u = gabor_vec4(first, gabor_cpp_dot(first, d)), v = gabor_vec4(second, gabor_cpp_dot(second, d)), w = gabor_vec4(0.0f, 0.0f, 1.0f, d.z);
     if (!tangents.only) {
-        float rise = 4.6566129e-10f * float(int(word << 12u)), level = gabor_cpp_sqrt(gabor_cpp_max(1.0f - rise * rise, 0.0f));
-        gabor_vec2 spin = gabor_impl_half_turn(5.8207661e-11f * float(int(word << 20u)));
+        float rise = 4.6566129e-10f * float(int(word << 12u)), level = gabor_cpp_sqrt(gabor_cpp_max(1.0f - rise * rise, 0.0f)); // 2^-31
+        gabor_vec2 spin = gabor_impl_half_turn(5.8207661e-11f * float(int(word << 20u))); // 2^-34
         gabor_vec4 across = v, lifted = level * w - rise * u;
         u = level * u + rise * w;
         v = spin.x * across + spin.y * lifted;
@@ -282,7 +283,7 @@ GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, g
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec2 value = window.w * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.xyz() + 6.2831853f * value.x * wave.xyz();
+    sum.gradient += a.y * window.xyz() + 6.2831853f * value.x * wave.xyz(); // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.xyz() - 6.2831853f * value.y * wave.xyz();
 }

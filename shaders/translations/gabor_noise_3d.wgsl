@@ -152,6 +152,7 @@ fn gabor_impl_field_3d(sum_in: vec4f, slopes_in: vec4f, turn_in: vec2f, wave: ve
     turn *= inverseSqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     sum = vec4f(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = vec4f(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
+    // 6.2831853 is 2 pi
     return GaborField3d(sum.y, vec3f(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
                         sum.x, vec3f(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
@@ -258,13 +259,13 @@ struct GaborImplStar3d {
 // circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn
 // around it within a quarter circle.
 fn gabor_impl_star_3d(tangents: GaborImplTangents, d: vec3f, word: u32) -> GaborImplStar3d {
-    let turn = gabor_impl_half_turn(1.1641532e-10 * f32(i32(word)));
+    let turn = gabor_impl_half_turn(1.1641532e-10 * f32(i32(word))); // 2^-33
     let first = turn.x * tangents.along + turn.y * tangents.across;
     let second = turn.x * tangents.across - turn.y * tangents.along;
     var u = vec4f(first, dot(first, d)); var v = vec4f(second, dot(second, d)); var w = vec4f(0.0, 0.0, 1.0, d.z);
     if (!tangents.only) {
-        let rise = 4.6566129e-10 * f32(i32(word << 12u)); let level = sqrt(max(1.0 - rise * rise, 0.0));
-        let spin = gabor_impl_half_turn(5.8207661e-11 * f32(i32(word << 20u)));
+        let rise = 4.6566129e-10 * f32(i32(word << 12u)); let level = sqrt(max(1.0 - rise * rise, 0.0)); // 2^-31
+        let spin = gabor_impl_half_turn(5.8207661e-11 * f32(i32(word << 20u))); // 2^-34
         let across = v; let lifted = level * w - rise * u;
         u = level * u + rise * w;
         v = spin.x * across + spin.y * lifted;
@@ -279,7 +280,7 @@ fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4f, wave:
     let a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     let value = window.w * a;
     (*sum).noise += value.y;
-    (*sum).gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
+    (*sum).gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
     (*sum).quadrature += value.x;
     (*sum).quadrature_gradient += a.x * window.xyz - 6.2831853 * value.y * wave.xyz;
 }

@@ -150,8 +150,9 @@ struct GaborImplBandPower {
 
 GABOR_INLINE GaborImplBandPower gabor_impl_band_power(float low, GaborImplJonswap sea, bool remote) {
     GaborImplBandPower power = GaborImplBandPower{gabor_vec2(0.0f), 0.0f, gabor_vec4(0.0f)};
-    float width = 0.025878906f * low;
+    float width = 0.025878906f * low; // 26.5/1024
     for (int j = 0; j < 16; ++j) {
+        // 198.75 is 7.5 * 26.5
         float f = gabor_impl_step_frequency(j, low, width), x = 26.5f * float(j) - 198.75f, above = f / sea.peak;
         // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
         float s = remote ? 75.0f : 9.77f * gabor_cpp_pow(above, above < 1.0f ? 4.06f : -2.34f);
@@ -183,11 +184,14 @@ GABOR_INLINE GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power
     float most = 1.0f / (1.0f + 212.0f * gabor_cpp_abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
     // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
     float end = gabor_cpp_min(1.8f * deviation, most - c), rest = variance - c * c / 3.0f;
+    // 0.3047619 is 32/105, 0.0304762 is 16/525, 0.1142857 is 4/35 and 0.1523810 is 16/105
     float a = (gabor_cpp_sqrt(gabor_cpp_max(0.3047619f * rest - 0.0304762f * end * end, 0.0f)) - 0.1142857f * end) / 0.1523810f, b = end - a;
     // The mean of sin(d / 2)^4.
+    // 0.57142857 is 4/7, 0.66666667 is 2/3, 0.36363636 is 4/11 and 0.076923077 is 1/13
     float fourth = a * a * a * (0.2f * a + 0.57142857f * b)
                  + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b)
                  + c * c * (2.0f * rest + 0.2f * c * c);
+    // 0.00390625 is 2^-8
     return GaborImplBandSpread{gabor_cpp_floor(511.5f * gabor_vec3(a, b, c)) * gabor_vec3(8.0f, 0.00390625f, 8.0f),
                                gabor_cpp_floor(16384.0f * gabor_vec2(1.0f - (fit.x + 1236.0f) * widen, widen)),
                                1.0f - 4.0f * variance + 4.0f * fourth};
@@ -198,7 +202,7 @@ GABOR_INLINE GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power
 // so on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
 GABOR_INLINE void gabor_impl_band_knots(float low, float whole, GaborImplJonswap sea, gabor_vec3& early, gabor_vec3& late) {
     gabor_vec3 first = gabor_vec3(0.0f), second = gabor_vec3(0.0f), ahead = gabor_vec3(0.0621f, 0.2483f, 0.4965f);
-    float width = 0.025878906f * low;
+    float width = 0.025878906f * low; // 26.5/1024
     for (int n = 0; n < 16; ++n) {
         float f = gabor_impl_step_frequency(n, low, width);
         float part = GABOR_IMPL_TICK * width / whole * gabor_impl_spectrum(f, sea).x;
@@ -206,7 +210,7 @@ GABOR_INLINE void gabor_impl_band_knots(float low, float whole, GaborImplJonswap
         second += 26.5f * gabor_cpp_clamp((ahead + gabor_vec3(0.6827f, 0.6827f, 0.5035f)) / gabor_cpp_max(part, 1.0e-9f), 0.0f, 1.0f);
         ahead -= part;
     }
-    early = gabor_cpp_floor((first - gabor_vec3(0.0f, first.xy())) * gabor_vec3(4.0f, 1.3333333f, 1.0f) + 0.5f) / 256.0f;
+    early = gabor_cpp_floor((first - gabor_vec3(0.0f, first.xy())) * gabor_vec3(4.0f, 1.3333333f, 1.0f) + 0.5f) / 256.0f; // 4/3
     late = gabor_cpp_floor((second - gabor_vec3(first.z, second.xy())) * gabor_vec3(1.0f, 1.3333333f, 4.0f) + 0.5f) / 256.0f;
     late -= gabor_vec3(early.z, late.xy());
     early -= gabor_vec3(0.0f, early.xy());
@@ -228,6 +232,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         if (remote) { // the swell
             sea.peak = 1.0f / ocean.swell.y;
             sea.sharp = 2.0794415f; // ln 8
+            // 0.0132813 is 0.85/64
             low = 64.0f * gabor_cpp_floor(0.0132813f * sea.peak / GABOR_IMPL_TICK + 0.5f); // 0.85 times the peak
             direction = ocean.swell.z;
         }
@@ -239,6 +244,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
                                       : power.sum.x;
         band.amplitude = gabor_cpp_sqrt(tall);
         // (4 pi^2 / g)^2
+        // 16.195056 was chosen near (4 pi^2 / g)^2, which is 16.195019
         band.slopes = 16.195056f * tall * power.sum.y / power.sum.x * gabor_vec2(spread.along, 1.0f - spread.along);
         if (!remote) ocean.tail -= band.slopes;
         band.exponent = remote ? int(gabor_cpp_floor(gabor_cpp_log2(18.0f / (sea.peak * sea.peak))))
@@ -250,10 +256,11 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         band.late = late;
         band.spread = spread.spread;
         band.widen = spread.widen;
+        // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
         float speed = ocean.loop > 0 ? 0.0f
                                      : 32768.0f * GABOR_IMPL_GRAVITY / (12.566371f * GABOR_IMPL_TICK * low * 1.1892071f)
                                            * gabor_cpp_exp2(-float(band.exponent));
-        band.drift = gabor_ivec2(gabor_cpp_floor(speed * gabor_impl_wave(0.15915494f * direction) + 0.5f));
+        band.drift = gabor_ivec2(gabor_cpp_floor(speed * gabor_impl_wave(0.15915494f * direction) + 0.5f)); // 1/(2 pi)
         ocean.band[i] = band;
     }
     ocean.tail = gabor_cpp_max(ocean.tail, 0.0f);
@@ -295,6 +302,7 @@ GABOR_INLINE GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, gab
     gabor_ivec2 node = ((cell >> up) << down) - (second >> 15) * band.drift - (drifted >> 15) + gabor_ivec2(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     gabor_vec2 middle = 2.0f * offset - 1.0f, fourth = middle * middle * middle * middle;
+    // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     gabor_vec2 turns = 0.125f + middle * (0.15625f - 0.03125f * fourth), slope = 1.9634954f / spacing * (1.0f - fourth);
     gabor_vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
     gabor_vec4 along_x = gabor_vec4(turn_x, turn_x), along_y = gabor_vec4(turn_y.xx(), turn_y.yy());
@@ -327,15 +335,16 @@ GABOR_INLINE GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, gab
     gabor_vec4 rise = gabor_cpp_trunc(1024.0f + band.early.x * share + band.early.y * gabor_cpp_max(share - 64.0f, 0.0f)
                       + band.early.z * gabor_cpp_max(share - 256.0f, 0.0f) + band.late.x * gabor_cpp_max(share - 512.0f, 0.0f)
                       + band.late.y * gabor_cpp_max(share - 768.0f, 0.0f) + band.late.z * gabor_cpp_max(share - 960.0f, 0.0f));
-    gabor_vec4 bent = gabor_cpp_trunc(band.spread.x + band.spread.y * gabor_cpp_trunc(0.001953125f * u * u));
-    gabor_vec4 angle = gabor_cpp_trunc(2.44140625e-4f * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
-    gabor_vec4 part = gabor_cpp_trunc(1.220703125e-4f * angle), lag = gabor_cpp_trunc(4.8828125e-4f * part * part);
-    gabor_vec4 steep = gabor_cpp_trunc(9.765625e-4f * rise * rise), carried = steep - gabor_cpp_trunc(9.765625e-4f * steep * lag);
+    gabor_vec4 bent = gabor_cpp_trunc(band.spread.x + band.spread.y * gabor_cpp_trunc(0.001953125f * u * u)); // 2^-9
+    gabor_vec4 angle = gabor_cpp_trunc(2.44140625e-4f * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise); // 2^-12
+    gabor_vec4 part = gabor_cpp_trunc(1.220703125e-4f * angle), lag = gabor_cpp_trunc(4.8828125e-4f * part * part); // 2^-13, 2^-11
+    gabor_vec4 steep = gabor_cpp_trunc(9.765625e-4f * rise * rise), carried = steep - gabor_cpp_trunc(9.765625e-4f * steep * lag); // 2^-10
     gabor_vec4 count = gabor_cpp_trunc(scale * rise + half_step);
+    // 6.7265625 is 861/128
     gabor_vec4 turning = quantum * count - gabor_cpp_trunc((quantum > 1.0f ? 0.0f : band.low / 16384.0f) * gabor_cpp_trunc(6.7265625f * carried));
     // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
     gabor_vec4 k = (normal ? 0.9986f : 0.978f) * 9.37e-10f * quantum * quantum * count * count;
-    gabor_vec4 chord = 1.1920929e-7f * angle, cosine = 1.0f - 0.5f * chord * chord;
+    gabor_vec4 chord = 1.1920929e-7f * angle, cosine = 1.0f - 0.5f * chord * chord; // 2^-23
     gabor_vec4 sine = chord * gabor_cpp_sqrt(1.0f - 0.25f * chord * chord);
     return GaborImplOceanWaves{turning, k, heading.x * cosine - heading.y * sine,
                                heading.y * cosine + heading.x * sine};
@@ -346,7 +355,7 @@ GABOR_INLINE GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, gab
 GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, GaborOceanBand band, bool normal, gabor_vec2 heading,
                          gabor_vec2 quantum, float least, gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx,
                          gabor_vec2 dy, std::uint32_t seed) {
-    float scale = 9.765625e-4f * band.low * quantum.y, half_step = gabor_cpp_max(0.5f, 1.0f - 1024.0f * scale);
+    float scale = 9.765625e-4f * band.low * quantum.y, half_step = gabor_cpp_max(0.5f, 1.0f - 1024.0f * scale); // 2^-10
     float lowest = quantum.x * gabor_cpp_floor(1024.0f * scale + half_step);
     float longest = 1.486e-10f * lowest * lowest; // the least k, 2 pi F^2 / g
     if (band.amplitude == 0.0f || longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
@@ -357,6 +366,7 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     GaborImplOceanWaves waves = gabor_impl_ocean_waves(band, nodes.word, normal, heading, quantum.x, scale, half_step);
     gabor_vec4 k = waves.k, x = waves.heading_x, y = waves.heading_y;
     gabor_uvec4 ticks = (gabor_uvec4(gabor_ivec4(waves.turning)) * std::uint32_t(second) + (nodes.word >> 16u)) & 0xffffu;
+    // 0.15915494 is 1/(2 pi) and 1.52587890625e-5 is 2^-16
     gabor_vec4 phase = 0.15915494f * k * (x * nodes.from_x + y * nodes.from_y)
                - 1.52587890625e-5f * (gabor_vec4(ticks) + waves.turning * fraction);
     gabor_vec2 a = gabor_impl_wave(phase.x), b = gabor_impl_wave(phase.y);
@@ -365,6 +375,7 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     gabor_vec4 kept = gabor_cpp_exp(-0.125f * (steps_x * steps_x + steps_y * steps_y));
     // The amplitude's square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
     gabor_vec4 square = 1.52587890625e-5f * gabor_vec4(nodes.word & 0xffffu), amplitude = kept * gabor_cpp_sqrt(square);
+    // fit: see tools/constants.py
     amplitude *= normal ? 1.3034767f + 0.3870924f * square + 0.0960481f / (1.0580433f - square) : gabor_vec4(2.0f);
     gabor_vec4 height = amplitude * gabor_vec4(a.y, b.y, c.y, d.y), along = nodes.window * amplitude * gabor_vec4(a.x, b.x, c.x, d.x);
     sum.slope += gabor_vec2(gabor_cpp_dot(height, nodes.window_x), gabor_cpp_dot(height, nodes.window_y));
@@ -380,9 +391,11 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
 
 GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int second, float fraction, gabor_vec2 dx, gabor_vec2 dy, GaborOcean ocean,
                           std::uint32_t seed) {
+    // 0.15915494 is 1/(2 pi)
     gabor_vec2 wind = gabor_impl_wave(0.15915494f * ocean.direction), swell = gabor_impl_wave(0.15915494f * ocean.swell.z);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
     gabor_vec3 squeeze = gabor_vec3(0.0f);
+    // 1.52587890625e-5 is 2^-16
     gabor_vec2 quantum = ocean.loop > 0 ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop, 1)), 1.52587890625e-5f * float(ocean.loop))
                                   : gabor_vec2(1.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse

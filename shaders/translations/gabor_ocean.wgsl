@@ -138,8 +138,9 @@ struct GaborImplBandPower {
 
 fn gabor_impl_band_power(low: f32, sea: GaborImplJonswap, remote: bool) -> GaborImplBandPower {
     var power = GaborImplBandPower(vec2f(0.0), 0.0, vec4f(0.0));
-    let width = 0.025878906 * low;
+    let width = 0.025878906 * low; // 26.5/1024
     for (var j = 0; j < 16; j++) {
+        // 198.75 is 7.5 * 26.5
         let f = gabor_impl_step_frequency(j, low, width); let x = 26.5 * f32(j) - 198.75; let above = f / sea.peak;
         // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
         let s = select(9.77 * pow(above, select(-2.34, 4.06, above < 1.0)), 75.0, remote);
@@ -171,11 +172,14 @@ fn gabor_impl_band_spread(power: GaborImplBandPower) -> GaborImplBandSpread {
     let most = 1.0 / (1.0 + 212.0 * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
     // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
     let end = min(1.8 * deviation, most - c); let rest = variance - c * c / 3.0;
+    // 0.3047619 is 32/105, 0.0304762 is 16/525, 0.1142857 is 4/35 and 0.1523810 is 16/105
     let a = (sqrt(max(0.3047619 * rest - 0.0304762 * end * end, 0.0)) - 0.1142857 * end) / 0.1523810; let b = end - a;
     // The mean of sin(d / 2)^4.
+    // 0.57142857 is 4/7, 0.66666667 is 2/3, 0.36363636 is 4/11 and 0.076923077 is 1/13
     let fourth = a * a * a * (0.2 * a + 0.57142857 * b)
                  + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b)
                  + c * c * (2.0 * rest + 0.2 * c * c);
+    // 0.00390625 is 2^-8
     return GaborImplBandSpread(floor(511.5 * vec3f(a, b, c)) * vec3f(8.0, 0.00390625, 8.0),
                                floor(16384.0 * vec2f(1.0 - (fit.x + 1236.0) * widen, widen)),
                                1.0 - 4.0 * variance + 4.0 * fourth);
@@ -187,7 +191,7 @@ fn gabor_impl_band_spread(power: GaborImplBandPower) -> GaborImplBandSpread {
 fn gabor_impl_band_knots(low: f32, whole: f32, sea: GaborImplJonswap, early: ptr<function, vec3f>,
                          late: ptr<function, vec3f>) {
     var first = vec3f(0.0); var second = vec3f(0.0); var ahead = vec3f(0.0621, 0.2483, 0.4965);
-    let width = 0.025878906 * low;
+    let width = 0.025878906 * low; // 26.5/1024
     for (var n = 0; n < 16; n++) {
         let f = gabor_impl_step_frequency(n, low, width);
         let part = GABOR_IMPL_TICK * width / whole * gabor_impl_spectrum(f, sea).x;
@@ -195,7 +199,7 @@ fn gabor_impl_band_knots(low: f32, whole: f32, sea: GaborImplJonswap, early: ptr
         second += 26.5 * clamp((ahead + vec3f(0.6827, 0.6827, 0.5035)) / max(part, 1.0e-9), vec3f(0.0), vec3f(1.0));
         ahead -= part;
     }
-    *early = floor((first - vec3f(0.0, first.xy)) * vec3f(4.0, 1.3333333, 1.0) + 0.5) / 256.0;
+    *early = floor((first - vec3f(0.0, first.xy)) * vec3f(4.0, 1.3333333, 1.0) + 0.5) / 256.0; // 4/3
     *late = floor((second - vec3f(first.z, second.xy)) * vec3f(1.0, 1.3333333, 4.0) + 0.5) / 256.0;
     *late -= vec3f((*early).z, (*late).xy);
     *early -= vec3f(0.0, (*early).xy);
@@ -218,6 +222,7 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
         if (remote) { // the swell
             sea.peak = 1.0 / ocean.swell.y;
             sea.sharp = 2.0794415; // ln 8
+            // 0.0132813 is 0.85/64
             low = 64.0 * floor(0.0132813 * sea.peak / GABOR_IMPL_TICK + 0.5); // 0.85 times the peak
             direction = ocean.swell.z;
         }
@@ -229,6 +234,7 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
                    0.0625 * ocean.swell.x * ocean.swell.x, remote);
         band.amplitude = sqrt(tall);
         // (4 pi^2 / g)^2
+        // 16.195056 was chosen near (4 pi^2 / g)^2, which is 16.195019
         band.slopes = 16.195056 * tall * power.sum.y / power.sum.x * vec2f(spread.along, 1.0 - spread.along);
         if (!remote) { ocean.tail -= band.slopes; }
         band.exponent = select(34 - 2 * octave - i + select(-1, 1, i > 0 && i < 4),
@@ -240,10 +246,11 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
         band.late = late;
         band.spread = spread.spread;
         band.widen = spread.widen;
+        // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
         let speed = select(32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
                                          * exp2(-f32(band.exponent)),
                     0.0, ocean.loop_ > 0);
-        band.drift = vec2i(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
+        band.drift = vec2i(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5)); // 1/(2 pi)
         ocean.band[i] = band;
     }
     ocean.tail = max(ocean.tail, vec2f(0.0));
@@ -284,6 +291,7 @@ fn gabor_impl_ocean_nodes(band: GaborOceanBand, cell: vec2i, local: vec2f, secon
     let node = ((cell >> vec2u(u32(up))) << vec2u(u32(down))) - (second >> 15) * band.drift - (drifted >> vec2u(15)) + vec2i(first);
     // The windows along an axis are the cosine and sine of an angle, so that their squares sum to 1.
     let middle = 2.0 * offset - 1.0; let fourth = middle * middle * middle * middle;
+    // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     let turns = 0.125 + middle * (0.15625 - 0.03125 * fourth); let slope = 1.9634954 / spacing * (1.0 - fourth);
     let turn_x = band.amplitude * gabor_impl_half_turn(turns.x); let turn_y = gabor_impl_half_turn(turns.y);
     let along_x = vec4f(turn_x, turn_x); let along_y = vec4f(turn_y.xx, turn_y.yy);
@@ -317,15 +325,16 @@ fn gabor_impl_ocean_waves(band: GaborOceanBand, word: vec4u, normal: bool, headi
     let rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, vec4f(0.0))
                      + band.early.z * max(share - 256.0, vec4f(0.0)) + band.late.x * max(share - 512.0, vec4f(0.0))
                      + band.late.y * max(share - 768.0, vec4f(0.0)) + band.late.z * max(share - 960.0, vec4f(0.0)));
-    let bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u));
-    let angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise);
-    let part = trunc(1.220703125e-4 * angle); let lag = trunc(4.8828125e-4 * part * part);
-    let steep = trunc(9.765625e-4 * rise * rise); let carried = steep - trunc(9.765625e-4 * steep * lag);
+    let bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u)); // 2^-9
+    let angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise); // 2^-12
+    let part = trunc(1.220703125e-4 * angle); let lag = trunc(4.8828125e-4 * part * part); // 2^-13, 2^-11
+    let steep = trunc(9.765625e-4 * rise * rise); let carried = steep - trunc(9.765625e-4 * steep * lag); // 2^-10
     let count = trunc(scale * rise + half_step);
+    // 6.7265625 is 861/128
     let turning = quantum * count - trunc(select(band.low / 16384.0, 0.0, quantum > 1.0) * trunc(6.7265625 * carried));
     // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
     let k = select(0.978, 0.9986, normal) * 9.37e-10 * quantum * quantum * count * count;
-    let chord = 1.1920929e-7 * angle; let cosine = 1.0 - 0.5 * chord * chord;
+    let chord = 1.1920929e-7 * angle; let cosine = 1.0 - 0.5 * chord * chord; // 2^-23
     let sine = chord * sqrt(1.0 - 0.25 * chord * chord);
     return GaborImplOceanWaves(turning, k, heading.x * cosine - heading.y * sine,
                                heading.y * cosine + heading.x * sine);
@@ -336,7 +345,7 @@ fn gabor_impl_ocean_waves(band: GaborOceanBand, word: vec4u, normal: bool, headi
 fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, vec3f>, band: GaborOceanBand,
                        normal: bool, heading: vec2f, quantum: vec2f, least: f32, cell: vec2i, local: vec2f,
                        second: i32, fraction: f32, dx: vec2f, dy: vec2f, seed: u32) {
-    let scale = 9.765625e-4 * band.low * quantum.y; let half_step = max(0.5, 1.0 - 1024.0 * scale);
+    let scale = 9.765625e-4 * band.low * quantum.y; let half_step = max(0.5, 1.0 - 1024.0 * scale); // 2^-10
     let lowest = quantum.x * floor(1024.0 * scale + half_step);
     let longest = 1.486e-10 * lowest * lowest; // the least k, 2 pi F^2 / g
     if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
@@ -347,6 +356,7 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     let waves = gabor_impl_ocean_waves(band, nodes.word, normal, heading, quantum.x, scale, half_step);
     let k = waves.k; let x = waves.heading_x; let y = waves.heading_y;
     let ticks = (vec4u(vec4i(waves.turning)) * u32(second) + (nodes.word >> vec4u(16u))) & vec4u(0xffffu);
+    // 0.15915494 is 1/(2 pi) and 1.52587890625e-5 is 2^-16
     let phase = 0.15915494 * k * (x * nodes.from_x + y * nodes.from_y)
                - 1.52587890625e-5 * (vec4f(ticks) + waves.turning * fraction);
     let a = gabor_impl_wave(phase.x); let b = gabor_impl_wave(phase.y);
@@ -355,6 +365,7 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     let kept = exp(-0.125 * (steps_x * steps_x + steps_y * steps_y));
     // The amplitude's square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
     let square = 1.52587890625e-5 * vec4f(nodes.word & vec4u(0xffffu)); var amplitude = kept * sqrt(square);
+    // fit: see tools/constants.py
     amplitude *= select(vec4f(2.0), 1.3034767 + 0.3870924 * square + 0.0960481 / (1.0580433 - square), normal);
     var height = amplitude * vec4f(a.y, b.y, c.y, d.y);
     let along = nodes.window * amplitude * vec4f(a.x, b.x, c.x, d.x);
@@ -372,9 +383,11 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
 fn gabor_water_at(cell: vec2i, local: vec2f, second: i32, fraction: f32, dx: vec2f, dy: vec2f, ocean_in: GaborOcean,
                   seed: u32) -> GaborWater {
     var ocean = ocean_in;
+    // 0.15915494 is 1/(2 pi)
     let wind = gabor_impl_wave(0.15915494 * ocean.direction); let swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     var water = GaborWater(0.0, vec2f(0.0), vec2f(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     var squeeze = vec3f(0.0);
+    // 1.52587890625e-5 is 2^-16
     let quantum = select(vec2f(1.0),
                   vec2f(f32(65536 / max(ocean.loop_, 1)), 1.52587890625e-5 * f32(ocean.loop_)), ocean.loop_ > 0);
     let area = dx.x * dy.y - dx.y * dy.x; let sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse

@@ -212,6 +212,7 @@ GABOR_INLINE GaborImplImpulse gabor_impl_impulse(std::uint32_t word) {
 GABOR_INLINE float gabor_impl_sine(float t) {
     t = gabor_cpp_fract(t) - 0.5f;
     float s = t * t;
+    // fit: see tools/constants.py
     float p = 12.233303f * s - 38.123196f;
     p = p * s + 67.0439f;
     p = p * s - 64.83468f;
@@ -222,12 +223,13 @@ GABOR_INLINE float gabor_impl_sine(float t) {
 // The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
 // minimax polynomials give the sine and cosine of the rest.
 GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
-    float quarter = gabor_cpp_floor(angle * 0.63661977f + 0.5f);
-    float r = angle - quarter * 1.5703125f;
-    r -= quarter * 4.837512969970703e-4f;
-    r -= quarter * 7.549789948768648e-8f;
+    float quarter = gabor_cpp_floor(angle * 0.63661977f + 0.5f); // 2/pi
+    float r = angle - quarter * 1.5703125f; // 201/128
+    r -= quarter * 4.837512969970703e-4f; // 4058/2^23
+    r -= quarter * 7.549789948768648e-8f; // pi/2 - 201/128 - 4058/2^23
     r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range, no digits are left and the direction is arbitrary
     float s = r * r;
+    // fits: see tools/constants.py
     float sine = r + r * s * (-0.16666654f + s * (8.3321608e-3f - s * 1.9515295e-4f));
     float cosine = 1.0f - 0.5f * s + s * s * (4.1666645e-2f + s * (-1.3887316e-3f + s * 2.4433157e-5f));
     gabor_vec2 axis = gabor_cpp_fract(0.5f * quarter) < 0.25f ? gabor_vec2(cosine, sine) : gabor_vec2(-sine, cosine);
@@ -401,8 +403,8 @@ GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float
 
 GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     float intensity = gabor_cpp_length(value);
-    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f;
-    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
+    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f; // 1/(2 pi)
+    return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity); // 1 - 2^-24
 }
 
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {

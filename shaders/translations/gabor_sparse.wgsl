@@ -188,6 +188,7 @@ fn gabor_impl_sine(t_in: f32) -> f32 {
     var t = t_in;
     t = fract(t) - 0.5;
     let s = t * t;
+    // fit: see tools/constants.py
     var p = 12.233303 * s - 38.123196;
     p = p * s + 67.0439;
     p = p * s - 64.83468;
@@ -198,12 +199,13 @@ fn gabor_impl_sine(t_in: f32) -> f32 {
 // The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
 // minimax polynomials give the sine and cosine of the rest.
 fn gabor_impl_direction(angle: f32) -> vec2f {
-    let quarter = floor(angle * 0.63661977 + 0.5);
-    var r = angle - quarter * 1.5703125;
-    r -= quarter * 4.837512969970703e-4;
-    r -= quarter * 7.549789948768648e-8;
+    let quarter = floor(angle * 0.63661977 + 0.5); // 2/pi
+    var r = angle - quarter * 1.5703125; // 201/128
+    r -= quarter * 4.837512969970703e-4; // 4058/2^23
+    r -= quarter * 7.549789948768648e-8; // pi/2 - 201/128 - 4058/2^23
     r = select(0.0, r, abs(r) < 1.0); // far outside the range, no digits are left and the direction is arbitrary
     let s = r * r;
+    // fits: see tools/constants.py
     let sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     let cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));
     let axis = select(vec2f(-sine, cosine), vec2f(cosine, sine), fract(0.5 * quarter) < 0.25);
@@ -380,8 +382,8 @@ fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) ->
 
 fn gabor_phasor(value: vec2f) -> vec2f {
     let intensity = length(value);
-    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0);
-    return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity);
+    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0); // 1/(2 pi)
+    return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity); // 1 - 2^-24
 }
 
 fn gabor_noise_tiled(p: vec2f, period_in: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {

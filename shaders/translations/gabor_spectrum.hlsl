@@ -189,13 +189,13 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
-    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
+    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963); // pi/2
     float shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
     int shell_count = gabor_impl_pieces(shells);
     for (int j = 0; j < shell_count; ++j) {
         float3 shell = gabor_impl_piece(j, shells);
         float magnitude = frequency * (1.0 + frequency_spread * shell.x);
-        float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
+        float directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0); // 2/pi
         int direction_count = gabor_impl_pieces(directions);
         for (int i = 0; i < direction_count; ++i) {
             float3 direction = gabor_impl_piece(i, directions);
@@ -222,6 +222,7 @@ float gabor_noise_spread(float2 p, float frequency, float orientation, float fre
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
+// 0.57735027 is 1/sqrt(3)
 #define GABOR_IMPL_STAR (0.57735027 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
@@ -248,8 +249,9 @@ GaborImplStar GaborImplStar_of(float2 first, float2 second, float2 third, float2
 // `d`: offset of the point from the node, in periods of the waves.
 GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
     GaborImplStar star;
+    // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
-    star.v = 0.5 * star.u + 0.8660254 * float2(-star.u.y, star.u.x);
+    star.v = 0.5 * star.u + 0.8660254 * float2(-star.u.y, star.u.x); // sqrt(3)/2
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, float2(star.first.x, -star.first.y));
@@ -264,7 +266,7 @@ GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
 void gabor_impl_add_wave(inout GaborField sum, float3 window, float2 a, float2 wave) {
     float2 value = window.x * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.yz + 6.2831853 * value.x * wave;
+    sum.gradient += a.y * window.yz + 6.2831853 * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.yz - 6.2831853 * value.y * wave;
 }
@@ -307,7 +309,8 @@ float gabor_noise_isotropic(float2 p, float frequency, uint seed) {
 // turn adds the integral of one period.
 float3 gabor_impl_ends_at(float phase, float span) {
     float y = max(1.0 - span, 0.0);
-    float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
+    // the others are a fit: see tools/constants.py
+    float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376))); // sqrt(6)/pi
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
     return float3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);

@@ -184,13 +184,13 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     frequency_spread = gabor_cpp_clamp(frequency_spread, 0.0f, 1.0f);
-    orientation_spread = gabor_cpp_clamp(orientation_spread, 0.0f, 1.5707963f);
+    orientation_spread = gabor_cpp_clamp(orientation_spread, 0.0f, 1.5707963f); // pi/2
     float shells = gabor_cpp_clamp(2.857f * frequency_spread * frequency + 0.8f, 1.0f, 16.0f);
     int shell_count = gabor_impl_pieces(shells);
     for (int j = 0; j < shell_count; ++j) {
         gabor_vec3 shell = gabor_impl_piece(j, shells);
         float magnitude = frequency * (1.0f + frequency_spread * shell.x);
-        float directions = gabor_cpp_clamp(0.63661977f * orientation_spread * (4.44f * magnitude + 0.6f) + 0.8f, 1.0f, 64.0f);
+        float directions = gabor_cpp_clamp(0.63661977f * orientation_spread * (4.44f * magnitude + 0.6f) + 0.8f, 1.0f, 64.0f); // 2/pi
         int direction_count = gabor_impl_pieces(directions);
         for (int i = 0; i < direction_count; ++i) {
             gabor_vec3 direction = gabor_impl_piece(i, directions);
@@ -217,6 +217,7 @@ GABOR_INLINE float gabor_noise_spread(gabor_vec2 p, float frequency, float orien
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
+// 0.57735027 is 1/sqrt(3)
 #define GABOR_IMPL_STAR (0.57735027f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY))
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
@@ -232,8 +233,9 @@ struct GaborImplStar {
 // `d`: offset of the point from the node, in periods of the waves.
 GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
     GaborImplStar star;
+    // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
-    star.v = 0.5f * star.u + 0.8660254f * gabor_vec2(-star.u.y, star.u.x);
+    star.v = 0.5f * star.u + 0.8660254f * gabor_vec2(-star.u.y, star.u.x); // sqrt(3)/2
     star.first = gabor_impl_wave(gabor_cpp_dot(star.u, d));
     star.second = gabor_impl_wave(gabor_cpp_dot(star.v, d));
     star.third = gabor_impl_product(star.second, gabor_vec2(star.first.x, -star.first.y));
@@ -248,7 +250,7 @@ GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, floa
 GABOR_INLINE void gabor_impl_add_wave(GaborField& sum, gabor_vec3 window, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 value = window.x * a;
     sum.noise += value.y;
-    sum.gradient += a.y * window.yz() + 6.2831853f * value.x * wave;
+    sum.gradient += a.y * window.yz() + 6.2831853f * value.x * wave; // 2 pi
     sum.quadrature += value.x;
     sum.quadrature_gradient += a.x * window.yz() - 6.2831853f * value.y * wave;
 }
@@ -291,7 +293,8 @@ GABOR_INLINE float gabor_noise_isotropic(gabor_vec2 p, float frequency, std::uin
 // turn adds the integral of one period.
 GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
     float y = gabor_cpp_max(1.0f - span, 0.0f);
-    float width = gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f)));
+    // the others are a fit: see tools/constants.py
+    float width = gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f))); // sqrt(6)/pi
     width = gabor_cpp_clamp(width, 0.001f, 1.0f);
     phase -= gabor_cpp_floor(phase);
     return gabor_vec3(phase - 0.5f * width, phase + 0.5f * width, 1.0f / width);

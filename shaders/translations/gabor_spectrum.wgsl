@@ -177,13 +177,13 @@ fn gabor_field_spread(place: GaborPlace, frequency_in: f32, orientation: f32, fr
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     frequency = min(abs(frequency), 1.0e6);
     frequency_spread = clamp(frequency_spread, 0.0, 1.0);
-    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963);
+    orientation_spread = clamp(orientation_spread, 0.0, 1.5707963); // pi/2
     let shells = clamp(2.857 * frequency_spread * frequency + 0.8, 1.0, 16.0);
     let shell_count = gabor_impl_pieces(shells);
     for (var j = 0; j < shell_count; j++) {
         let shell = gabor_impl_piece(j, shells);
         let magnitude = frequency * (1.0 + frequency_spread * shell.x);
-        let directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0);
+        let directions = clamp(0.63661977 * orientation_spread * (4.44 * magnitude + 0.6) + 0.8, 1.0, 64.0); // 2/pi
         let direction_count = gabor_impl_pieces(directions);
         for (var i = 0; i < direction_count; i++) {
             let direction = gabor_impl_piece(i, directions);
@@ -210,6 +210,7 @@ fn gabor_noise_spread(p: vec2f, frequency: f32, orientation: f32, frequency_spre
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
+// 0.57735027 is 1/sqrt(3)
 const GABOR_IMPL_STAR: f32 = (0.57735027 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY));
 
 // The three waves of a node: amplitudes times the waves at the point, and unit vectors along the first two wave
@@ -225,8 +226,9 @@ struct GaborImplStar {
 // `d`: offset of the point from the node, in periods of the waves.
 fn gabor_impl_star(words: vec4u, d: vec2f, moment: f32) -> GaborImplStar {
     var star: GaborImplStar;
+    // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * f32(i32(words.w))); // up to a twelfth of a turn either way
-    star.v = 0.5 * star.u + 0.8660254 * vec2f(-star.u.y, star.u.x);
+    star.v = 0.5 * star.u + 0.8660254 * vec2f(-star.u.y, star.u.x); // sqrt(3)/2
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, vec2f(star.first.x, -star.first.y));
@@ -241,7 +243,7 @@ fn gabor_impl_star(words: vec4u, d: vec2f, moment: f32) -> GaborImplStar {
 fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3f, a: vec2f, wave: vec2f) {
     let value = window.x * a;
     (*sum).noise += value.y;
-    (*sum).gradient += a.y * window.yz + 6.2831853 * value.x * wave;
+    (*sum).gradient += a.y * window.yz + 6.2831853 * value.x * wave; // 2 pi
     (*sum).quadrature += value.x;
     (*sum).quadrature_gradient += a.x * window.yz - 6.2831853 * value.y * wave;
 }
@@ -286,7 +288,8 @@ fn gabor_noise_isotropic(p: vec2f, frequency: f32, seed: u32) -> f32 {
 fn gabor_impl_ends_at(phase_in: f32, span: f32) -> vec3f {
     var phase = phase_in;
     let y = max(1.0 - span, 0.0);
-    var width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
+    // the others are a fit: see tools/constants.py
+    var width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376))); // sqrt(6)/pi
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
     return vec3f(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);

@@ -37,6 +37,7 @@ uint mx_gabor_line_word(int index, uint salt)
 vec2 mx_gabor_amplitude(uint word)
 {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));
+
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
@@ -48,6 +49,7 @@ vec2 mx_gabor_product(vec2 a, vec2 b)
 vec2 mx_gabor_half_turn(float t)
 {
     float s = t * t, r = s * s;
+
     return vec2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
