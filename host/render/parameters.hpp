@@ -111,8 +111,8 @@ void drop_conflicting(Request& request, std::string_view name);
 void check(const Request& request);
 
 /// `to_json` writes the request as one JSON object, like the `gabor` attribute of EXR files. `from_json`
-/// reads such an object. It uses defaults for absent values, ignores known parameters that this request does
-/// not have, and throws RequestError for anything else.
+/// reads such an object. It uses defaults for absent values, and throws RequestError for a member that the
+/// request does not have.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);
 
