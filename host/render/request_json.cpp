@@ -131,10 +131,6 @@ noise::Colour colour_of(json object) {
                        "numbers) and, optionally, linear (true or false)");
 }
 
-bool is_of_lobe(const Parameter& p) {
-    return std::ranges::find(lobe_parameters(), p.name, &LobeParameter::name) != lobe_parameters().end();
-}
-
 } // namespace
 
 std::string to_json(const Request& request) {
@@ -155,31 +151,19 @@ Request from_json(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object())
         throw RequestError("the parameters are not a JSON object");
-    Values deciding; // values that decide which other parameters exist
-    Values others;
-    bool has_lobes = false;
+    Values values;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        // gabor-viewer adds `viewer`. Earlier versions wrote the others, which have no effect.
-        if (name == "viewer" || name == "sum" || name == "quadrature" || name == "values")
+        if (name == "viewer") // how gabor-viewer shows the picture
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);
             continue;
         }
         const Parameter& p = parameter(name);
-        const Value value = value_of(p, entry);
-        const auto* lobes = std::get_if<std::vector<Lobe>>(&value);
-        if (lobes && lobes->empty())
-            continue; // the other values describe the lobe
-        has_lobes |= lobes != nullptr;
-        (decides(p) ? deciding : others).emplace_back(&p, value);
+        values.emplace_back(&p, value_of(p, entry));
     }
-    set(request, deciding);
-    std::erase_if(others, [&](const auto& each) {
-        return !each.first->get(request) || (has_lobes && is_of_lobe(*each.first));
-    });
-    set(request, others);
+    set(request, values);
     check(request);
     return request;
 }

@@ -17,7 +17,7 @@ BODIES = {
     "torus": ({"view": "torus", "filter": False, "solid": True, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
     "lit sphere": ({"view": "sphere", "filter": False, "frequency": 2, "yaw": 20, "viewer": {"light": [30, 50]}}, LIT, 3, 2),
     "colours": ({**COLOURED, "view": "sphere", "filter": False}, VALUE, 0, 2),
-    "slice": ({"view": "slice", "depth": 0.3, "orientation": 50, "lobes": LOBES}, INTENSITY, 0, 2),
+    "slice": ({"view": "slice", "depth": 0.3, "lobes": LOBES}, INTENSITY, 0, 2),
 }
 COLOUR_OF_BODY = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
 
@@ -31,7 +31,7 @@ class Bodies(OutputsTest):
         sphere = {"view": "sphere", "frequency": 2, "orientation": 30, "yaw": 20, "pitch": 40}
         metal = {"material": "brushed-metal", "seed": 3}
         cases = {
-            "sphere": {**sphere, "lobes": LOBES, "filter": False, "viewer": {"output": "lit", "colours": "ember"}},
+            "sphere": {"view": "sphere", "yaw": 20, "pitch": 40, "lobes": LOBES, "filter": False, "viewer": {"output": "lit", "colours": "ember"}},
             "solid torus": {"view": "torus", "solid": True, "frequency": 1.5, "viewer": {"output": "lit", "light": [30, 60]}},
             "slice": {"view": "slice", "depth": 0.3, "viewer": {"output": "lit", "colours": "sea"}},
             "stripes": {**sphere, "frequency": 1, "filter": False, "viewer": {"output": "lit stripes", "colours": "ember"}},
