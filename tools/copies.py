@@ -23,6 +23,13 @@ def needed(path):
     return list(dict.fromkeys(each for other in others for each in [*needed(other), other]))
 
 
+def required(path):
+    """Returns those of the needed drop-ins without which this one stops the compiler, and those that they require."""
+    said = "".join(re.findall(r"#error Include (?!.* not both)(.*) before", path.read_text()))
+    others = [other for other in needed(path) if re.search(rf"\b{other.name}", said)]
+    return list(dict.fromkeys(each for other in others for each in [*required(other), other]))
+
+
 def parameters(*trees):
     """Yields the parameters of materials, boards and erosion: the members of the structs, with the defaults that their functions
     return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""

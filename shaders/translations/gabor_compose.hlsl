@@ -1,5 +1,6 @@
 // Generated from gabor_compose.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 // Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
+// It can do without gabor_filter.hlsl.
 //
 // gabor_compose.hlsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -30,8 +31,10 @@
 #ifndef GABOR_SPECTRUM_HLSL
 #include "gabor_spectrum.hlsl"
 #endif
-#ifndef GABOR_FILTER_HLSL
+#if !defined(GABOR_FILTER_HLSL) && defined(__has_include)
+#if __has_include("gabor_filter.hlsl")
 #include "gabor_filter.hlsl"
+#endif
 #endif
 #ifndef GABOR_MATERIALS_HLSL
 #include "gabor_materials.hlsl"

@@ -1,6 +1,7 @@
 // clang-format off
 // Generated from gabor_compose.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 // Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
+// It can do without gabor_filter.hpp.
 //
 // gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
 //
@@ -35,8 +36,10 @@
 #ifndef GABOR_SPECTRUM_HPP
 #include "gabor_spectrum.hpp"
 #endif
-#ifndef GABOR_FILTER_HPP
+#if !defined(GABOR_FILTER_HPP) && defined(__has_include)
+#if __has_include("gabor_filter.hpp")
 #include "gabor_filter.hpp"
+#endif
 #endif
 #ifndef GABOR_MATERIALS_HPP
 #include "gabor_materials.hpp"

@@ -1,5 +1,6 @@
 // Generated from gabor_filter.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 // Includes gabor_noise.hlsl, gabor_spectrum.hlsl; pasted after their texts, it includes nothing.
+// It can do without gabor_spectrum.hlsl.
 //
 // gabor_filter.hlsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -24,8 +25,10 @@
 #ifndef GABOR_NOISE_HLSL
 #include "gabor_noise.hlsl"
 #endif
-#ifndef GABOR_SPECTRUM_HLSL
+#if !defined(GABOR_SPECTRUM_HLSL) && defined(__has_include)
+#if __has_include("gabor_spectrum.hlsl")
 #include "gabor_spectrum.hlsl"
+#endif
 #endif
 #if GABOR_TAPS != 3
 #error gabor_filter.hlsl needs GABOR_TAPS 3

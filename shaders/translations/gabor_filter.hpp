@@ -1,6 +1,7 @@
 // clang-format off
 // Generated from gabor_filter.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 // Includes gabor_noise.hpp, gabor_spectrum.hpp; pasted after their texts, it includes nothing.
+// It can do without gabor_spectrum.hpp.
 //
 // gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -29,8 +30,10 @@
 #ifndef GABOR_NOISE_HPP
 #include "gabor_noise.hpp"
 #endif
-#ifndef GABOR_SPECTRUM_HPP
+#if !defined(GABOR_SPECTRUM_HPP) && defined(__has_include)
+#if __has_include("gabor_spectrum.hpp")
 #include "gabor_spectrum.hpp"
+#endif
 #endif
 #if GABOR_TAPS != 3
 #error gabor_filter.hpp needs GABOR_TAPS 3

@@ -1,5 +1,6 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 // Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_noise_3d.hlsl; pasted after their texts, it includes nothing.
+// It can do without gabor_spectrum.hlsl.
 //
 // gabor_filter_3d.hlsl: the noises of gabor_noise_3d.hlsl, averaged over a pixel.
 //
@@ -13,8 +14,10 @@
 #ifndef GABOR_NOISE_HLSL
 #include "gabor_noise.hlsl"
 #endif
-#ifndef GABOR_SPECTRUM_HLSL
+#if !defined(GABOR_SPECTRUM_HLSL) && defined(__has_include)
+#if __has_include("gabor_spectrum.hlsl")
 #include "gabor_spectrum.hlsl"
+#endif
 #endif
 #ifndef GABOR_FILTER_HLSL
 #include "gabor_filter.hlsl"

@@ -1,6 +1,7 @@
 // clang-format off
 // Generated from gabor_filter_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 // Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_noise_3d.hpp; pasted after their texts, it includes nothing.
+// It can do without gabor_spectrum.hpp.
 //
 // gabor_filter_3d.hpp: the noises of gabor_noise_3d.hpp, averaged over a pixel.
 //
@@ -18,8 +19,10 @@
 #ifndef GABOR_NOISE_HPP
 #include "gabor_noise.hpp"
 #endif
-#ifndef GABOR_SPECTRUM_HPP
+#if !defined(GABOR_SPECTRUM_HPP) && defined(__has_include)
+#if __has_include("gabor_spectrum.hpp")
 #include "gabor_spectrum.hpp"
+#endif
 #endif
 #ifndef GABOR_FILTER_HPP
 #include "gabor_filter.hpp"

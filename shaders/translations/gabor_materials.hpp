@@ -1,6 +1,7 @@
 // clang-format off
 // Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 // Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp; pasted after their texts, it includes nothing.
+// It can do without gabor_filter.hpp.
 //
 // gabor_materials.hpp: eleven materials from Gabor noise.
 //
@@ -32,8 +33,10 @@
 #ifndef GABOR_SPECTRUM_HPP
 #include "gabor_spectrum.hpp"
 #endif
-#ifndef GABOR_FILTER_HPP
+#if !defined(GABOR_FILTER_HPP) && defined(__has_include)
+#if __has_include("gabor_filter.hpp")
 #include "gabor_filter.hpp"
+#endif
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.hpp needs GABOR_TAPS 3

@@ -71,6 +71,13 @@ class Alone(unittest.TestCase):
             with self.subTest(ending):
                 self.compile(ending, "".join(text(name, ending) for name in ["gabor_vectors"] * (ending == "hpp") + order))
 
+    def test_pasted_texts_need_no_optional_one(self):
+        for ending in LANGUAGES:
+            for path in copies.DROP_INS:
+                with self.subTest(path.stem, ending=ending):
+                    order = [other.stem for other in [*copies.required(path), path]]
+                    self.compile(ending, "".join(text(name, ending) for name in ["gabor_vectors"] * (ending == "hpp") + order))
+
     def test_each_function_is_there_alone(self):
         """A header alone has the functions of its optional parts, too."""
         functions = {name: re.findall(r"^\w+ (gabor_\w+)\(", text(name, "hpp").replace("GABOR_INLINE ", ""), re.MULTILINE) for name in NAMES}
