@@ -10,7 +10,7 @@ import unittest
 
 from program import ProgramTest, start
 
-REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # two bands
+REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # several bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 10))
 OF_EACH_SIGNAL = int(os.environ.get("GABOR_ROUNDS", 5)) # both have one handler
 

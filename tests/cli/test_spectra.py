@@ -113,7 +113,7 @@ class Spectra(SpectraTest):
             (["--frequency-spread", "1"], ["--frequency-spread=1.5"]),
             (["'sideways'", "flat", "horizon"], ["--view=sideways"]),
             (["tileable", "--view flat or terrain"], ["--view=horizon", "--tileable"]),
-            (["'woood'", "marble"], ["--preset=woood"]),
+            (["unknown preset 'woood': did you mean wood? "], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
             (["recipe", "slice"], ["--view=slice", "--recipe=pure"]),
             (["--paint", "a single lobe with --view flat, not 5 lobes"], ["--lobes", good, "--paint=x.exr"]),
