@@ -3,6 +3,7 @@
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
 #include "image/picture.hpp"
+#include "names.hpp"
 #include "render/erosion.hpp"
 #include "render/file.hpp"
 #include "render/load.hpp"
@@ -73,9 +74,10 @@ render::Request defaults_of(const std::string& preset) {
 // Returns a terrain with the map's erosion. `extent` is the map's width, if known.
 render::Request request_of(const ErodeOptions& options, std::optional<double> extent) {
     const std::vector<std::string_view> names = terrain_presets();
-    if (std::ranges::find(names, options.preset) == names.end())
-        refuse("--preset", options.preset, fmt::format("{}", fmt::join(names, ", ")));
-    render::Request request = defaults_of(options.preset);
+    const std::string preset(in_any_case(options.preset, names));
+    if (std::ranges::find(names, preset) == names.end())
+        throw RequestError(fmt::format("--preset '{}': {}", options.preset, expected(options.preset, names)));
+    render::Request request = defaults_of(preset);
     if (options.gully_width) {
         if (!extent)
             throw RequestError("--gully-width needs the width of the map: give --extent");
@@ -308,7 +310,7 @@ void add_erode_command(CLI::App& app) {
     add_option(*command, "--extent", options->extent, "NUMBER",
                "Width of the map, in the same unit as its heights; without it, that of a GeoTIFF or of the "
                ".json file beside a map that gabor wrote, or a guess from the slopes, which is printed");
-    add_elevation_option(*command, options->elevation, "0 and an eighth of --extent, or 0,1000");
+    add_elevation_option(*command, options->elevation, "0 to extent/8 if --extent is given, else 0,1000");
     add_option(*command, "--nodata", options->nodata, "NUMBER",
                "Value of pixels that have no height; without it, that of a GeoTIFF");
     command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");

@@ -37,12 +37,12 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
     const fit::FitError& error = fitted.error;
     fmt::print("{}: {} lobes for {} x {} pixels, {}\n", options.output, fitted.waves.size(), exemplar.width,
                exemplar.height, exemplar.channels == 1 ? "grey" : "colour");
-    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", error.l1,
+    fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the photograph's\n", error.l1,
                error.l2);
     if (error.low > 0)
         fmt::print("  long waves       within {:.3f} (L1), for waves longer than {} pixels\n", error.low,
                    fit::window_side);
-    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels, a quarter of the exemplar\n",
+    fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels, a quarter of the photograph\n",
                error.autocorrelation, error.furthest_lag);
     for (const std::string& line : fit::warnings(exemplar, fitted))
         fmt::print("  {}\n", line);

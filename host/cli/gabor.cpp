@@ -10,7 +10,16 @@ Program gabor_program() {
 #if GABOR_FIT
              add_fit_command,
 #endif
-             add_devices_command, add_recipes_command, add_materials_command}};
+             add_devices_command, add_recipes_command, add_materials_command},
+            R"(
+Examples:
+  gabor render --frequency 4 --orientation 45 -o noise.png
+  gabor render --material wood --maps wood
+  gabor render --preset storm --png storm.png
+  gabor erode heights.png -o eroded.png
+
+gabor COMMAND --help lists the options of a command.
+)"};
 }
 
 } // namespace gabor::cli

@@ -47,8 +47,9 @@ void join(const JoinOptions& options) {
     const image::Rect picture =
         options.texture ? render::join_texture(options.regions, options.output, options.half, advance)
                         : join_picture(options, advance);
-    fmt::print("{}: {} x {} pixels, from {} regions\n", options.output, picture.width, picture.height,
-               options.regions.size());
+    const std::size_t count = options.regions.size();
+    fmt::print("{}: {} x {} pixels, from {} region{}\n", options.output, picture.width, picture.height, count,
+               count == 1 ? "" : "s");
 }
 
 } // namespace

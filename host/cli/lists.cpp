@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "names.hpp"
 #include "noise/recipe.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
@@ -7,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace gabor::cli {
@@ -51,7 +53,12 @@ void print_recipes(bool as_json) {
         fmt::print("{}\n", list.dump(2));
 }
 
-void print_material(const std::string& name) {
+void print_material(const std::string& text) {
+    std::vector<std::string_view> names(render::materials.begin(), render::materials.end());
+    names.push_back("boards");
+    const std::string name(in_any_case(text, names));
+    if (std::ranges::find(names, name) == names.end())
+        throw RequestError(fmt::format("MATERIAL '{}': {}", text, expected(text, names)));
     const bool boards = name == "boards";
     const auto group = boards ? render::Parameter::Group::boards : render::Parameter::Group::material;
     render::Request request;
@@ -74,7 +81,8 @@ void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
     CLI::App* command =
         app.add_subcommand("materials", "List the materials, or the options of one of them or of boards");
-    add_option(*command, "MATERIAL", *name, "", fmt::format("{}", fmt::join(render::materials, ", ")));
+    add_option(*command, "MATERIAL", *name, "",
+               fmt::format("{}, or boards", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())
             print_material(*name);

@@ -34,9 +34,11 @@ std::string default_text(const render::Parameter& parameter, const render::Reque
 std::string help_of(const render::Parameter& p, const render::Request& defaults) {
     std::string text(p.help);
     if (!p.scope.holds(defaults))
-        text += fmt::format(" (for {})", p.scope.described);
+        text += fmt::format(" (with {})", p.scope.described);
     if (p.kind == Kind::lobes)
         return fmt::format("{}: a JSON file with {}", text, render::accepted(p));
+    if (p.kind == Kind::choice && text.find('\n') != text.npos) // the help has the choices
+        return fmt::format("{} [{}]", text, default_text(p, defaults));
     return p.kind == Kind::flag || p.kind == Kind::text
                ? text
                : fmt::format("{}: {} [{}]", text, render::accepted(p), default_text(p, defaults));

@@ -1,9 +1,9 @@
 #include "cli/program.hpp"
 
 #include "cli/terminal.hpp"
-#include "edits.hpp"
 #include "error.hpp"
 #include "image/exr.hpp"
+#include "names.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
@@ -39,8 +39,8 @@ int fail(const Program& program, int status, std::string message) {
     return status;
 }
 
-// Shows each option once, with its type as we name it, wraps its description, and leaves one line between
-// groups.
+// Shows each option once, with its type as we name it, wraps the lines of its description, and leaves one
+// line between groups.
 class Formatter : public CLI::Formatter {
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
         std::string text = CLI::Formatter::make_help(app, name, mode);
@@ -57,28 +57,39 @@ class Formatter : public CLI::Formatter {
             line += " " + option->get_type_name();
         std::string text = line.size() < column ? "" : std::exchange(line, "") + "\n";
         line.resize(column, ' ');
-        std::istringstream words(option->get_description() + (option->get_required() ? " (required)" : ""));
-        for (std::string word; words >> word; line += line.size() == column ? word : " " + word)
-            if (line.size() > column && line.size() + 1 + word.size() > width) {
-                text += line + "\n";
-                line.assign(column, ' ');
-            }
-        return text + line + "\n";
+        std::istringstream paragraphs(option->get_description() +
+                                      (option->get_required() ? " (required)" : ""));
+        std::string paragraph;
+        std::getline(paragraphs, paragraph);
+        do {
+            std::istringstream words(paragraph);
+            for (std::string word; words >> word; line += line.size() == column ? word : " " + word)
+                if (line.size() > column && line.size() + 1 + word.size() > width) {
+                    text += line + "\n";
+                    line.assign(column, ' ');
+                }
+            text += line + "\n";
+            line.assign(column, ' ');
+        } while (std::getline(paragraphs, paragraph));
+        return text;
     }
 };
 
-// Suggests the option or subcommand most similar to an unknown word; empty if none is similar enough.
+// Suggests options or subcommands that are similar to an unknown word; empty if none is similar enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();
-    for (const CLI::Option* option : (chosen.empty() ? app : *chosen.front()).get_options())
-        for (const std::string& name : option->get_lnames())
-            known.push_back("--" + name);
-    for (const CLI::App* command : app.get_subcommands({}))
-        known.push_back(command->get_name());
-    const std::string name = word.substr(0, word.find('='));
-    const std::string_view closest = nearest_first(name, {known.begin(), known.end()}).front();
-    return edits(name, closest) <= 2 ? fmt::format(": did you mean {}?", closest) : "";
+    if (word.starts_with('-')) {
+        for (const CLI::Option* option : (chosen.empty() ? app : *chosen.front()).get_options())
+            for (const std::string& name : option->get_lnames())
+                known.push_back(name);
+    } else if (chosen.empty()) {
+        for (const CLI::App* command : app.get_subcommands({}))
+            known.push_back(command->get_name());
+    }
+    const std::size_t start = std::min(word.find_first_not_of('-'), word.size());
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    return did_you_mean(word.substr(start, word.find('=') - start), names, start > 0 ? "--" : "");
 }
 
 // Names the command that lists what is accepted instead of an unknown word, or in general.
@@ -92,6 +103,7 @@ std::string where_to_look(const CLI::App& app, const std::string& word = "") {
 
 int parse_and_work(const Program& program, int argc, const char* const* argv) {
     CLI::App app(program.description, program.name);
+    app.footer(program.examples);
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // reject --gradient=3
@@ -108,7 +120,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
             app.exit(error);     // prints --help or --version
         else if (!words.empty()) // unknown words come first: one may be a misspelled required option
             return fail(program, 2,
-                        fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
+                        fmt::format("unknown '{}': {}{}", words.front(), suggestion(app, words.front()),
                                     where_to_look(app, words.front())));
         else
             return fail(program, 2, fmt::format("{} ({})", error.what(), where_to_look(app)));
@@ -146,10 +158,11 @@ void add_compression_option(CLI::App& command, std::string& compression) {
     command
         .add_option_function<std::string>(
             "--compression",
-            [&compression, accepted](const std::string& name) {
-                if (std::ranges::find(image::exr_compressions, name) == image::exr_compressions.end())
-                    throw RequestError(fmt::format("--compression '{}': expected {}", name, accepted));
-                compression = name;
+            [&compression](const std::string& name) {
+                compression = in_any_case(name, image::exr_compressions);
+                if (std::ranges::find(image::exr_compressions, compression) == image::exr_compressions.end())
+                    throw RequestError(
+                        fmt::format("--compression '{}': {}", name, expected(name, image::exr_compressions)));
             },
             fmt::format("Lossless compression of the EXR, which helps where much of the picture is equal, "
                         "such as sky, and hardly with noise: {} [none]",

@@ -14,6 +14,7 @@ struct Program {
     std::string name;
     std::string description; ///< one sentence for the help text
     std::vector<void (*)(CLI::App&)> commands;
+    std::string examples = {}; ///< the end of the help text
 };
 
 /// Adds the option --device to a command.

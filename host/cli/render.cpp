@@ -172,6 +172,17 @@ render::Files files_of(const RenderOptions& options) {
     return files;
 }
 
+// Refuses options that only add channels to an EXR, if none is written.
+void check_channels(const RenderOptions& options, const render::Files& files) {
+    for (const auto& [parameter, value] : given_values(options.parameters))
+        if (!files.exr && (parameter->name == "gradient" || parameter->name == "phasor") &&
+            value == render::Value(true))
+            throw RequestError(
+                fmt::format("{} adds channels to an EXR, and a PNG does not have them: give -o "
+                            "NAME.exr, and --png NAME.png for the picture",
+                            render::option_name(*parameter)));
+}
+
 // What was drawn, as in "material wood".
 std::string subject(const render::Request& request) {
     return render::has_terrain(request)    ? "terrain"
@@ -242,6 +253,7 @@ void render_pictures(const RenderOptions& options) {
     const render::Files files = files_of(options);
     const int frames =
         options.frames ? parse_integer("--frames", *options.frames, 1, render::most_frames) : 1;
+    check_channels(options, files);
     warn_above_nyquist(work.request);
 
     const vulkan::Device device(options.device);

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <string_view>
 #include <sys/resource.h>
+#include <tuple>
 #include <unistd.h>
 
 namespace gabor::cli {
@@ -13,8 +16,25 @@ namespace {
 
 volatile std::sig_atomic_t noted = 0;
 
+// How long a signalled program may take to clean up.
+constexpr unsigned patience = 1; // seconds
+
+// Ends a program that still waits, for example, for a driver that compiles. Only calls what signal handlers
+// may. Files that are not complete have no name yet, or a hidden one that the next run removes.
+void end(int) {
+    constexpr std::string_view clear = "\r\x1b[K", text = ": interrupted; no half-written file was kept\n";
+    const std::string_view name = program_invocation_short_name;
+    if (isatty(STDERR_FILENO))
+        std::ignore = write(STDERR_FILENO, clear.data(), clear.size());
+    for (const std::string_view part : {name, text})
+        std::ignore = write(STDERR_FILENO, part.data(), part.size());
+    std::signal(noted, SIG_DFL);
+    std::raise(noted);
+}
+
 void note(int signal) {
     noted = signal;
+    alarm(patience);
 }
 
 } // namespace
@@ -49,6 +69,7 @@ void note_interrupts() {
         static_cast<int>(SA_RESTART | SA_RESETHAND); // a second signal terminates the process at once
     for (const int signal : {SIGINT, SIGTERM})
         sigaction(signal, &action, nullptr);
+    std::signal(SIGALRM, end);
 }
 
 void check_interrupt() {

@@ -32,7 +32,8 @@ class Progress {
     bool visible_ = false;
 };
 
-/// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
+/// Makes SIGINT and SIGTERM set a flag instead of terminating the process. A process that has not ended a
+/// second later terminates at once.
 void note_interrupts();
 
 /// Throws Interrupted after SIGINT or SIGTERM. Long tasks without a Progress must call this function.

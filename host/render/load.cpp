@@ -1,12 +1,11 @@
 #include "render/load.hpp"
 
-#include "edits.hpp"
 #include "error.hpp"
 #include "image/picture.hpp"
+#include "names.hpp"
 #include "render/parameters.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -93,10 +92,12 @@ std::vector<std::string_view> preset_names() {
 Request preset(std::string_view name) {
     if (name.ends_with(".json"))
         return load_request(std::string(name)).request;
-    const auto found = std::ranges::find(presets(), name, &Preset::name);
+    const std::vector<std::string_view> names = preset_names();
+    const auto found = std::ranges::find(presets(), in_any_case(name, names), &Preset::name);
     if (found == presets().end())
-        throw RequestError(fmt::format("unknown preset '{}': expected {} or a file NAME.json", name,
-                                       fmt::join(nearest_first(name, preset_names()), ", ")));
+        throw RequestError(fmt::format("unknown preset '{}': {}`gabor render --help` lists the presets; the "
+                                       "name of a file ends in .json",
+                                       name, did_you_mean(name, names)));
     return from_json(found->json);
 }
 

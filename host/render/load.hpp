@@ -32,8 +32,8 @@ struct Preset {
 /// All presets, sorted by name.
 std::span<const Preset> presets();
 std::vector<std::string_view> preset_names();
-/// Returns the preset with that name, or reads a file NAME.json. Throws RequestError, listing the presets, if
-/// there is no such preset.
+/// Returns the preset with that name, in upper or lower case, or reads a file NAME.json. Throws RequestError
+/// if there is no such preset.
 Request preset(std::string_view name);
 
 /// Frequencies and orientations painted over a picture.

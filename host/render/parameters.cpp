@@ -1,7 +1,7 @@
 #include "render/parameters.hpp"
 
-#include "edits.hpp"
 #include "error.hpp"
+#include "names.hpp"
 #include "render/material.hpp"
 
 #include <fmt/format.h>
@@ -88,45 +88,57 @@ namespace scopes {
 
 constexpr Constant all{"", [](const Request&) { return true; }};
 constexpr Constant noise{"noise", is_noise};
-constexpr Constant one_lobe{"a single lobe",
+constexpr Constant one_lobe{"noise of a single lobe",
                             [](const Request& r) { return is_noise(r) && r.lobes.size() == 1; }};
-constexpr Constant paintable{"the flat view of a single lobe",
+constexpr Constant paintable{"noise of a single lobe with --view flat",
                              [](const Request& r) { return one_lobe.holds(r) && is_view<Plane>(r); }};
-constexpr Constant planar{"the flat or horizon view of noise",
+constexpr Constant planar{"noise with --view flat or horizon",
                           [](const Request& r) { return is_noise(r) && is_view<Plane, Horizon>(r); }};
 constexpr Constant filtered{"noise or a material",
                             [](const Request& r) { return !has_terrain(r) && !has_sea(r); }};
 constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !has_sea(r); }};
-constexpr Constant timed{"noise or the ocean view",
-                         [](const Request& r) { return is_noise(r) || has_sea(r); }};
-constexpr Constant tiles{"the flat or terrain view", [](const Request& r) {
+constexpr Constant timed{"noise or --view ocean", [](const Request& r) { return is_noise(r) || has_sea(r); }};
+constexpr Constant tiles{"--view flat or terrain", [](const Request& r) {
                              return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
                          }};
-constexpr Constant slices{"the slice view", is_view<Slice>};
-constexpr Constant bodies{"the sphere or torus view of noise",
+constexpr Constant slices{"--view slice", is_view<Slice>};
+constexpr Constant bodies{"noise with --view sphere or torus",
                           [](const Request& r) { return is_noise(r) && is_view<Body>(r); }};
-constexpr Constant orbits{"the sphere, torus, landscape or ocean view",
+constexpr Constant orbits{"--view sphere, torus, landscape or ocean",
                           [](const Request& r) { return is_view<Body, Sea>(r) || is_landscape(r); }};
-constexpr Constant cameras{"the landscape or ocean view",
+constexpr Constant cameras{"--view landscape or ocean",
                            [](const Request& r) { return is_landscape(r) || has_sea(r); }};
-constexpr Constant lit{"a material, terrain or the ocean view", has_material};
-constexpr Constant of_material{"a material", [](const Request& r) { return r.material != no_material; }};
-constexpr Constant laid{"a material with boards",
+constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean", has_material};
+constexpr Constant of_material{"--material NAME", [](const Request& r) { return r.material != no_material; }};
+constexpr Constant laid{"--boards and --material NAME",
                         [](const Request& r) { return of_material.holds(r) && r.boards; }};
-constexpr Constant terrain{"the terrain or landscape view", has_terrain};
-constexpr Constant sea{"the ocean view", has_sea};
+constexpr Constant terrain{"--view terrain or landscape", has_terrain};
+constexpr Constant sea{"--view ocean", has_sea};
 
 } // namespace scopes
 
-// What a request has instead of what a scope describes.
+// What a request has instead of what a scope describes; empty if it has neither a material nor another view.
 std::string other_than(const Scope& scope, const Request& request) {
-    if (scope.described.find("lobe") != scope.described.npos && request.lobes.size() > 1)
+    const auto mentions = [&](std::string_view word) {
+        return scope.described.find(word) != std::string::npos;
+    };
+    if (mentions("lobe") && request.lobes.size() > 1)
         return fmt::format("{} lobes", request.lobes.size());
-    if (request.material != no_material && scope.described == scopes::laid.described)
-        return request.material + " without boards";
-    return scope.described.ends_with(" view") || request.material == no_material
-               ? std::string(name_of(request.view))
-               : request.material;
+    if (scope.described == scopes::laid.described && request.material != no_material)
+        return "";
+    Request noise = request;
+    noise.material = no_material;
+    if (request.material != no_material && (scope.holds(noise) || mentions("material")))
+        return request.material;
+    return std::holds_alternative<Plane>(request.view) ? "" : std::string(name_of(request.view));
+}
+
+// Returns what a scope describes in terms of options, or of JSON.
+std::string needed(const Scope& scope, bool options) {
+    std::string text = scope.described;
+    for (std::size_t at = 0; !options && (at = text.find("--")) != text.npos;)
+        text.erase(at, 2);
+    return text;
 }
 
 // ---- The table ----
@@ -284,11 +296,17 @@ std::vector<Parameter> noise_rows() {
 std::vector<Parameter> view_rows() {
     return {
         row("view", Kind::choice, "", none, none, scopes::all,
-            "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through "
-            "noise in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded "
-            "mountains from above and `landscape` in perspective. Terrain has channels R, G, B, height, "
-            "slope.x, slope.y, lit.R, lit.G, lit.B, ridge, erosion. `ocean` shows a sea in perspective, with "
-            "the same channels, but fold and foam instead of the last two",
+            "What the picture shows:\n"
+            "flat: the plane from above\n"
+            "horizon: the plane in perspective, with the scale at its bottom row\n"
+            "slice: a cut through noise in space\n"
+            "sphere, torus: a body\n"
+            "terrain: eroded mountains from above\n"
+            "landscape: eroded mountains in perspective\n"
+            "ocean: a sea in perspective.\n"
+            "The last three have channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, lit.B, and ridge "
+            "and "
+            "erosion or, for the ocean, fold and foam",
             by_name([](const Request& r) { return name_of(r.view); },
                     [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
             names_of(named_views)),
@@ -331,7 +349,9 @@ std::vector<Parameter> light_rows() {
 std::vector<Parameter> terrain_rows() {
     return {
         row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
-            "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
+            "Width of the picture, in the unit that heights shall have, usually metres; 0 gives heights in "
+            "kernel "
+            "radii",
             in_view(&Terrain::extent)),
         row("cover", Kind::choice, "", none, none, scopes::terrain,
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
@@ -360,7 +380,7 @@ Place seconds_of_loop() {
 
 std::vector<Parameter> sea_rows() {
     return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind that raises the sea, 10 m up", in_view(&Sea::wind)),
+                "Wind speed at a height of 10 m", in_view(&Sea::wind)),
             row("fetch", Kind::number, "kilometres", {1, 1000}, {1, 1000}, scopes::sea,
                 "Open water upwind: a few kilometres for a lake, 200 or more for a grown sea",
                 in_view(&Sea::fetch)),
@@ -413,7 +433,7 @@ Place in_look(const StructRow& made) {
 Parameter struct_row(const StructRow& made) {
     const std::size_t dot = made.name.find('.');
     const std::string_view of = made.name.substr(0, dot);
-    const Scope one_material{fmt::format("the {} material", of),
+    const Scope one_material{fmt::format("--material {}", of),
                              [of](const Request& request) { return request.material == of; }};
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
@@ -571,9 +591,7 @@ void check_value(const Parameter& p, const Value& value) {
     } else if (p.kind == Kind::choice) {
         const std::string& name = std::get<std::string>(value);
         if (std::ranges::find(p.choices, name) == p.choices.end())
-            refuse(name,
-                   fmt::format("{}",
-                               fmt::join(nearest_first(name, {p.choices.begin(), p.choices.end()}), ", ")));
+            throw RequestError(fmt::format("'{}': {}", name, expected(name, p.choices)));
     } else if (p.kind == Kind::lobes) {
         check_lobes(std::get<std::vector<Lobe>>(value));
     }
@@ -609,15 +627,17 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
-    const auto before_dot = [](std::string_view text) {
-        return text.find('.') == text.npos ? "" : text.substr(0, text.find('.'));
-    };
-    std::vector<std::string_view> names; // parameters of the material in `name`, or the general ones
-    for (const Parameter& p : parameters())
-        if (before_dot(p.name) == before_dot(name))
-            names.push_back(p.name);
-    throw RequestError(
-        fmt::format("unknown parameter '{}': the parameters are {}", name, fmt::join(names, ", ")));
+    const std::string_view material = name.substr(0, name.find('.') + 1); // with its dot; empty without one
+    std::vector<std::string_view> names, of_material;
+    for (const Parameter& p : parameters()) {
+        names.push_back(p.name);
+        if (!material.empty() && p.name.starts_with(material))
+            of_material.push_back(p.name);
+    }
+    throw RequestError(fmt::format("unknown parameter '{}': {}", name,
+                                   of_material.empty()
+                                       ? did_you_mean(name, names) + "`gabor render --help` lists the options"
+                                       : expected(name, of_material)));
 }
 
 std::string accepted(const Parameter& p) {
@@ -644,8 +664,11 @@ Value read(const Parameter& p, std::string_view text) {
         bool in_radians = false;
         if (p.kind == Kind::angle) {
             in_radians = digits.ends_with("rad");
-            if (in_radians || digits.ends_with("deg"))
-                digits.remove_suffix(3);
+            for (const std::string_view unit : {"rad", "deg", "\u00b0"})
+                if (digits.ends_with(unit)) {
+                    digits.remove_suffix(unit.size());
+                    break;
+                }
         }
         double number = 0;
         std::int64_t whole = 0;
@@ -668,6 +691,8 @@ Value read(const Parameter& p, std::string_view text) {
         if (!colour)
             refuse(text, accepted(p));
         value = *colour;
+    } else if (p.kind == Kind::choice) {
+        value = std::string(in_any_case(text, p.choices));
     } else {
         value = std::string(text);
     }
@@ -694,9 +719,12 @@ void set(Request& request, const Values& values, std::string (*called)(const Par
             if (rank != (p.name == "boards" ? 1 : decides(p) ? 0 : 2)) // a material comes before its boards
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
-            if (!p.get(request))
-                throw RequestError(fmt::format("{} requires {}, not {}", called(p), p.scope.described,
-                                               other_than(p.scope, request)));
+            if (!p.get(request)) {
+                const std::string other = other_than(p.scope, request);
+                throw RequestError(fmt::format("{} needs {}{}{}", called(p),
+                                               needed(p.scope, called == option_name),
+                                               other.empty() ? "" : ", not ", other));
+            }
             p.place.put(request, named.second);
         }
 }
@@ -779,8 +807,8 @@ void check(const Request& request) {
         }
     for (const Parameter& p : parameters())
         if (is_stray(request, p))
-            throw RequestError(fmt::format("{} conflicts with {}: it requires {}", p.name,
-                                           other_than(p.scope, request), p.scope.described));
+            throw RequestError(fmt::format("{} conflicts with {}: it needs {}", p.name,
+                                           other_than(p.scope, request), needed(p.scope, false)));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
         throw RequestError("colour requires weights for each lobe, and lobes with power but no spread: use "
                            "the lobes that came with the colour");

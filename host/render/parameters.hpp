@@ -21,7 +21,9 @@ struct Range {
 
 /// A kind of request: those that have a parameter.
 struct Scope {
-    std::string described; ///< as in "the slice view"; empty for all requests
+    /// The options that give a request the parameter, as in "--view slice", or what it must be, as in
+    /// "noise". Empty for all requests.
+    std::string described;
     std::function<bool(const Request&)> holds;
 };
 
@@ -44,7 +46,7 @@ struct Parameter {
     Range range;           ///< limits of integers, numbers and angles
     Range slider;          ///< the part of the range that a slider covers, logarithmic if low > 0
     Scope scope;           ///< the requests that have this parameter; in others it has no effect
-    std::string_view help; ///< a sentence without its full stop
+    std::string_view help; ///< a sentence without its full stop; of some choices, a line for each
     Place place;
     std::vector<std::string_view> choices = {}; ///< the accepted values of a choice
     Group group = Group::picture;
@@ -61,7 +63,7 @@ std::span<const Parameter> parameters();
 /// The command-line option for a parameter.
 std::string option_name(const Parameter& parameter);
 
-/// Returns the parameter with that name. Throws RequestError, listing the names, if there is none.
+/// Returns the parameter with that name. Throws RequestError, with similar names, if there is none.
 const Parameter& parameter(std::string_view name);
 
 /// A value of a lobe, described as in Parameter.
@@ -81,8 +83,9 @@ std::span<const LobeParameter> lobe_parameters();
 /// Describes the accepted values, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
-/// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON list of
-/// lobes. Throws RequestError with the message "'text': expected ...". `to_text` is the inverse of `read`.
+/// Reads a value: "12", "45deg", "45°", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON
+/// list of lobes. Names of choices may have any case. Throws RequestError with the message "'text': expected
+/// ...". `to_text` is the inverse of `read`.
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 

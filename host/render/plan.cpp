@@ -473,20 +473,28 @@ Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, 
     return plan;
 }
 
-std::vector<Band> bands(const Plan& plan, int most_rows) {
-    std::vector<Band> bands;
-    if (plan.steps.front().runs.empty())
-        for (int row = 0; row < plan.height; row += most_rows)
-            bands.push_back({row, std::min(most_rows, plan.height - row)});
-    // Bands consist of whole runs of the first step. Runs of other steps that cross a band's edge are
-    // evaluated in both bands.
-    for (const auto& [first, count] : plan.steps.front().runs) {
-        const int end = std::min(first + count, plan.height);
-        if (bands.empty() || end - bands.back().first_row > most_rows)
-            bands.push_back({std::max(first, 0), 0});
-        bands.back().rows = end - bands.back().first_row;
+Band band_at(const Plan& plan, int first_row, int most_rows) {
+    const Step& step = plan.steps.front();
+    if (step.runs.empty()) {
+        if (most_rows > step.group.rows) // leave no work group partly empty
+            most_rows -= most_rows % step.group.rows;
+        return {first_row, std::min(most_rows, plan.height - first_row)};
     }
-    return bands;
+    // A band consists of whole runs of the first step. Runs of other steps that cross a band's edge are
+    // evaluated in both bands.
+    Band band{first_row, 0};
+    for (const auto& [first, count] : step.runs) {
+        const int rows = std::min(first + count, plan.height) - first_row;
+        if (rows > 0 && (band.rows == 0 || rows <= most_rows))
+            band.rows = rows;
+    }
+    return band;
+}
+
+int most_rows_of_a_band(const Plan& plan, int most_rows) {
+    for (const auto& [first, count] : plan.steps.front().runs)
+        most_rows = std::max(most_rows, count);
+    return std::min(most_rows, plan.height);
 }
 
 } // namespace gabor::render

@@ -109,9 +109,11 @@ bool uses_blocks(const Request& request, const Viewport& viewport);
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint = {},
           DeviceKind device = DeviceKind::cpu);
 
-/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows; if the plan fills more rows
-/// at a time, into bands of that many.
-std::vector<Band> bands(const Plan& plan, int most_rows);
+/// Returns the band that begins at `first_row`, where a band may begin: at most `most_rows` rows or, if the
+/// plan fills more rows at a time, that many.
+Band band_at(const Plan& plan, int first_row, int most_rows);
+/// The most rows that `band_at` returns for `most_rows`.
+int most_rows_of_a_band(const Plan& plan, int most_rows);
 
 /// The highest frequency that the paint of a request gives its lobe, in cycles per kernel radius.
 double highest_frequency(const Request& request, const Paint& paint);

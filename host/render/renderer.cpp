@@ -1,9 +1,11 @@
 #include "render/renderer.hpp"
 
 #include "passes/pictures.h"
+#include "seconds.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 namespace gabor::render {
@@ -11,6 +13,10 @@ namespace gabor::render {
 namespace {
 
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
+// Bands are cut so that the device takes about this long for each: a sink that throws ends the work soon.
+constexpr double band_seconds = 0.1;
+constexpr int first_pixels = 1 << 14;      // of the first band, whose cost is unknown
+constexpr double most_growth = 4;          // from one band to the next
 constexpr std::size_t most_pipelines = 16; // lavapipe uses a megabyte for each
 
 // A band's memory on the device, and the job that fills it.
@@ -34,13 +40,18 @@ class BandBuffer {
         if (source_)
             fill(source_->as<float>().first(renderer.plan().source.values(band.rows)));
         count_ = static_cast<std::size_t>(band.rows) * row_values_;
+        submitted_ = Clock::now();
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
             copy.emplace(vulkan::Job::Copy{values_, *staging_, count_ * sizeof(float)});
         renderer.submit(job_, band, 0, copy);
     }
 
-    void wait() { job_.wait(); }
+    // Returns the seconds that the band took.
+    double wait() {
+        const double seconds = job_.wait();
+        return std::isnan(seconds) ? seconds_since(submitted_) : seconds;
+    }
     std::span<const float> values() const {
         return (staging_ ? *staging_ : values_).as<float>().first(count_);
     }
@@ -52,6 +63,7 @@ class BandBuffer {
     std::optional<vulkan::Buffer> staging_; // used if the host cannot read the device's memory
     vulkan::Job job_;
     std::size_t count_ = 0;
+    Clock::time_point submitted_;
 };
 
 } // namespace
@@ -151,16 +163,20 @@ void render_plan(const vulkan::Device& device, const Renderer& renderer, const S
                                             static_cast<std::size_t>(plan.source.width));
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
     const int fitting = std::max(1, static_cast<int>(limit / (row_values * sizeof(float))));
-    const std::vector<Band> all = bands(plan, fitting);
-    const int most_rows = std::ranges::max(all, {}, &Band::rows).rows;
+    const int most_rows = most_rows_of_a_band(plan, fitting);
     std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, most_rows),
                                       BandBuffer(device, renderer, most_rows)};
 
-    buffers[0].submit(renderer, all[0], fill);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        buffers[i % 2].wait();
-        if (i + 1 < all.size())
-            buffers[(i + 1) % 2].submit(renderer, all[i + 1], fill);
+    Band band = band_at(plan, 0, std::clamp(first_pixels / plan.width, 1, fitting));
+    buffers[0].submit(renderer, band, fill);
+    for (std::size_t i = 0; band.rows > 0; ++i) {
+        const double growth = std::min(band_seconds / buffers[i % 2].wait(), most_growth);
+        const int end = band.first_row + band.rows;
+        band = end == plan.height
+                   ? Band{}
+                   : band_at(plan, end, std::clamp(static_cast<int>(band.rows * growth), 1, fitting));
+        if (band.rows > 0)
+            buffers[(i + 1) % 2].submit(renderer, band, fill);
         sink(buffers[i % 2].values());
     }
 }

@@ -32,7 +32,8 @@ std::string help_of(const render::Parameter& parameter) {
     if (parameter.name == "scale")
         return "Size of everything in the picture: the pixels of one unit, in which other controls count "
                "threads, rings or waves";
-    const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
+    const std::string_view help =
+        parameter.help.substr(0, std::min(parameter.help.find(". "), parameter.help.find(".\n")));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
 

@@ -43,6 +43,18 @@ bool validating() {
     return !validation().empty();
 }
 
+// What to do if the Vulkan loader finds no driver. Environment variables can hide those that are installed.
+std::string how_to_get_a_driver() {
+    for (const char* name :
+         {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_LOADER_DRIVERS_SELECT",
+          "VK_LOADER_DRIVERS_DISABLE"}) // the loader reads the second only without the first
+        if (const char* value = std::getenv(name); value && *value)
+            return fmt::format("the environment variable {} is '{}', which hides other drivers: unset it, or "
+                               "name a driver's file that works",
+                               name, value);
+    return "install one (mesa-vulkan-drivers has one that needs no GPU)";
+}
+
 // Throws RequestError if there is no Vulkan loader.
 vk::raii::Context load_vulkan() {
     try {
@@ -93,8 +105,7 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     try {
         return {context, chain.get<vk::InstanceCreateInfo>()};
     } catch (const vk::IncompatibleDriverError&) {
-        throw RequestError(
-            "no Vulkan driver found: install one (mesa-vulkan-drivers has one that needs no GPU)");
+        throw RequestError("no Vulkan driver found: " + how_to_get_a_driver());
     }
 }
 
@@ -185,8 +196,7 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
                          has_extension(physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)});
     }
     if (found.empty())
-        throw RequestError(
-            "no Vulkan 1.1 device found: install a driver (mesa-vulkan-drivers has one that needs no GPU)");
+        throw RequestError("no Vulkan 1.1 device found: " + how_to_get_a_driver());
     return found;
 }
 

@@ -10,7 +10,7 @@ import unittest
 
 from program import ProgramTest, start
 
-REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # two bands
+REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # several bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 10))
 OF_EACH_SIGNAL = int(os.environ.get("GABOR_ROUNDS", 5)) # both have one handler
 
@@ -117,6 +117,22 @@ class Atomicity(ProgramTest):
                 process.communicate(timeout=60)
                 self.assertEqual(process.returncode, -number)
                 self.assertEqual(self.check_files(older=turn % 2), [])
+
+    def test_interrupted_while_it_waits(self):
+        """A program that cannot go on, here for want of a preset's text, ends by the first signal too."""
+        os.mkfifo(self.folder / "never.json")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = start("render", "--preset=never.json", "-o", "other.exr", cwd=self.folder)
+            while not catches(process, number):
+                time.sleep(0.01)
+            process.send_signal(number)
+            try:
+                _, stderr = process.communicate(timeout=60)
+            finally:
+                process.kill()
+            self.assertEqual(process.returncode, -number)
+            self.assertEqual(stderr, "gabor: interrupted; no half-written file was kept\n")
+            self.assertFalse((self.folder / "other.exr").exists())
 
     def test_interrupted_twice(self):
         """A second signal ends the program at once: each file is complete, still the older one, or absent."""

@@ -35,7 +35,7 @@ class Values(ErrorTest):
             self.refuse_render([name, interval], f"--{name}={text}")
         for name, text in zip(itertools.cycle(accepted), ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4")):
             self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
-        for text in ("45 deg", "rad", "deg", "45turns", "45radrad"):
+        for text in ("45 deg", "rad", "deg", "45turns", "45radrad", "\u00b0", "45 \u00b0", "45\u00b0\u00b0"):
             self.refuse_render(["--orientation", text, "0.7854rad"], f"--orientation={text}")
         self.refuse_render(["--scale '45deg'"], "--scale=45deg")
 
@@ -78,28 +78,88 @@ class Arguments(ErrorTest):
         self.refuse_render(["paint"], "paint")
         self.assert_refused(["everything"], "devices", "everything")
         self.assert_refused(["'first'"], "devices", "first", "second")
+        for option, likely in (("freq", "--frequency or --frequency-spread"), ("ring=4", "--wood.rings"), ("Scale", "--scale"), ("pngs", "--png"),
+                               ("wood.r", "--wood.rings or --wood.roughness")):
+            self.refuse_render([f"unknown '--{option.partition('=')[0]}"], f"--{option}")
+            self.refuse_render([f": did you mean {likely}? gabor "], f"--{option}")
+        self.assert_refused(["unknown 'oak': gabor render --help lists"], "render", "oak")
+        self.assert_refused(["did you mean materials?"], "mat")
         self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--freqency=3")
         self.assert_refused(["did you mean --frequency?", "gabor render --help"], "render", "--freqency=3")
         self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--frequuuency=3")
         self.assert_refused(["did you mean render?"], "rendr")
         self.assert_refused(["did you mean --wood.rings?", "gabor materials wood lists"], "render", "--wood.rngs=3")
-        self.assert_refused(["'mable': expected marble, "], "render", "-o", "out.exr", "--preset=mable")
+
+    def test_similar_names_come_first_and_few(self):
+        """At most three names are suggested; all are listed only if they are few, in the order of the help."""
+        materials = ", ".join(["none", *self.succeed("materials").split()])
+        for option, said in (("--preset=oak", "unknown preset 'oak': did you mean oak-planks? `gabor render --help` lists"),
+                             ("--preset=Copper", "did you mean brushed-copper or weathered-copper? "), ("--preset=mable", "did you mean marble? "),
+                             ("--preset=nope", "unknown preset 'nope': `gabor render --help` lists the presets"),
+                             ("--material=Wod", f"--material 'Wod': did you mean wood? Expected {materials}\n"),
+                             ("--material=gold", f"--material 'gold': expected {materials}\n"),
+                             ("--loop=10", "--loop '10': did you mean 8 or 16? Expected never, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096\n"),
+                             ("--loop=5000", "did you mean 4096? Expected never, 8, "), ("--loop=nev", "did you mean never? Expected never, 8, "),
+                             ("--compression=zpi", "--compression 'zpi': did you mean zip? Expected none, rle, zips, zip, piz\n"),
+                             ("--recipe=lattice_2", "did you mean lattice-2? Expected lattice, ")):
+            self.refuse_render([said], option)
+        write_exr(self.folder / "map.exr", {"Y": np.zeros((4, 4), "f4")})
+        self.assert_refused(["--preset 'Moon': expected alps, badlands, canyon, hills\n"], "erode", "map.exr", "-o", "out.exr", "--preset=Moon")
+        listed = materials.partition(", ")[2]
+        self.assert_refused([f"MATERIAL 'oak': expected {listed}, boards\n"], "materials", "oak")
+        self.assert_refused([f"MATERIAL 'none': expected {listed}, boards\n"], "materials", "none")
+
+    def test_names_may_have_any_case(self):
+        alike = [(["--material=wood", "--view=sphere", "--environment=dark"], ["--material=Wood", "--view=SPHERE", "--environment=Dark"]),
+                 (["--recipe=lattice-2", "--compression=zip"], ["--recipe=Lattice-2", "--compression=ZIP"]),
+                 (["--preset=oak-planks"], ["--preset=Oak-Planks"]), (["--view=ocean", "--loop=never"], ["--view=Ocean", "--loop=Never"])]
+        for named, shouted in alike:
+            self.succeed("render", "--size=24x16", "-o", "a.exr", *named)
+            self.succeed("render", "--size=24x16", "-o", "b.exr", *shouted)
+            self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes(), shouted)
+        self.assertEqual(self.succeed("materials", "Wood"), self.succeed("materials", "wood"))
+        (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
+        for preset in "hills", "HILLS":
+            self.succeed("erode", "map.r16", "--size=24", "-o", f"{preset}.exr", f"--preset={preset}")
+        self.assertEqual((self.folder / "hills.exr").read_bytes(), (self.folder / "HILLS.exr").read_bytes())
+
+    def test_a_degree_sign(self):
+        for text in "45", "45\u00b0", "45deg":
+            self.succeed("render", "--size=16", "-o", f"{text}.exr", f"--orientation={text}")
+        self.assertEqual(len(set(self.files().values())), 1)
+
+    def test_options_whose_channels_no_file_has(self):
+        for option in "--gradient", "--phasor":
+            self.assert_refused([f"{option} adds channels to an EXR", "-o NAME.exr"], "render", "--size=16", option, "-o", "out.png")
+            self.succeed("render", "--size=16", option, "-o", "out.exr", "--png", "out.png")
+            self.succeed("render", "--like=out.exr", "-o", "out.png")
+            self.succeed("render", "--size=16", option, f"--no-{option[2:]}", "-o", "out.png")
 
     def test_conflicting_options(self):
-        self.refuse_render(["--solid requires the sphere or torus view of noise, not flat"], "--solid")
-        self.refuse_render(["--solid requires", "not wood"], "--solid", "--view=sphere", "--material=wood")
-        self.refuse_render(["--depth requires the slice view, not horizon"], "--depth=3", "--view=horizon")
-        self.refuse_render(["--light-azimuth requires a material, terrain or the ocean view, not flat"], "--light-azimuth=3")
+        self.refuse_render(["--solid needs noise with --view sphere or torus\n"], "--solid")
+        self.refuse_render(["--solid needs noise", ", not wood\n"], "--solid", "--view=sphere", "--material=wood")
+        self.refuse_render(["--depth needs --view slice, not horizon\n"], "--depth=3", "--view=horizon")
+        self.refuse_render(["--light-azimuth needs --material NAME, or --view terrain, landscape or ocean\n"], "--light-azimuth=3")
+        self.refuse_render(["--swell needs --view ocean\n"], "--swell=2")
+        self.refuse_render(["--extent needs --view terrain or landscape\n"], "--extent=2")
+        self.refuse_render(["--octaves needs --view terrain or landscape, not ocean\n"], "--octaves=2", "--view=ocean")
+        self.refuse_render(["--wood.rings needs --material wood\n"], "--wood.rings=12")
+        self.refuse_render(["--boards needs --material NAME\n"], "--boards")
+        self.refuse_render(["--boards.width needs --boards and --material NAME\n"], "--boards.width=2")
+        self.refuse_render(["--time needs noise or --view ocean, not wood\n"], "--time=0.5", "--material=wood")
+        self.refuse_render(["--filter needs noise or a material, not terrain\n"], "--filter", "--view=terrain")
+        (self.folder / "like.json").write_text('{"wood.rings": 9}')
+        self.refuse_render(["'like.json': wood.rings needs material wood\n"], "--like=like.json")
         for options, other in ((["--material=wood"], "wood"), (["--view=terrain"], "terrain"), (["--view=sphere"], "sphere"),
                                (["--view=torus", "--solid"], "torus")):
-            self.refuse_render([f"--recipe requires the flat or horizon view of noise, not {other}"], "--recipe=one", *options)
-        self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
-        self.refuse_render(["--boards.width requires a material with boards, not wood without boards"], "--material=wood", "--boards.width=1")
+            self.refuse_render([f"--recipe needs noise with --view flat or horizon, not {other}\n"], "--recipe=one", *options)
+        self.refuse_render(["--wood.rings needs --material wood, not marble\n"], "--material=marble", "--wood.rings=9")
+        self.refuse_render(["--boards.width needs --boards and --material NAME\n"], "--material=wood", "--boards.width=1")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
             self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")
         (self.folder / "lobes.json").write_text("[{}, {}, {}]")
-        self.refuse_render(["frequency requires a single lobe, not 3"], "--lobes=lobes.json", "--frequency=8")
+        self.refuse_render(["--frequency needs noise of a single lobe, not 3 lobes\n"], "--lobes=lobes.json", "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
         self.refuse_render(["lobes.json", "unknown 'freq' in a lobe", "frequency, orientation"], "--lobes=lobes.json")
 
@@ -166,7 +226,9 @@ class LikeFiles(ErrorTest):
                  ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),
                  ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "#rrggbb"]),
                  ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "#rrggbb"]),
-                 ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
+                 ('{"size": 3}', ["unknown parameter 'size'", "gabor render --help"]),
+                 ('{"values": 1, "sum": false}', ["unknown parameter 'values'"]), ('{"seed": 1, "lobes": []}', ["the list of lobes is empty"]),
+                 ('{"depth": 0, "view": "flat"}', ["depth needs view slice\n"]),
                  ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
                  ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]),
                  ('{"scale": true}', ["scale"]), ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),
@@ -209,8 +271,8 @@ class Devices(ErrorTest):
     def test_no_driver(self):
         for name, other in [("VK_ICD_FILENAMES", "VK_DRIVER_FILES"), ("VK_DRIVER_FILES", "VK_ICD_FILENAMES")]:
             none = {name: "/nonexistent.json", other: None}
-            self.refuse_render(["no Vulkan", "mesa-vulkan-drivers"], env=none)
-            self.assert_refused(["no Vulkan", "mesa-vulkan-drivers"], "devices", env=none)
+            for command in (["render", "-o", "out.exr"], ["devices"]):
+                self.assert_refused(["no Vulkan", f"{name} is '/nonexistent.json'", "unset it"], *command, env=none)
 
     def test_no_loader(self):
         # The program finds these empty files first, so they hide the real loader.

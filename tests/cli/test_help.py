@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 from exr import write_exr
-from program import ProgramTest
+from program import ProgramTest, gabor
 
 COMMANDS = ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
 
@@ -56,6 +56,22 @@ class Help(ProgramTest):
                          ["Options", "Output", "Noise", "View and light", "Terrain", "Ocean", "Textures", "Examples"])
         self.assertEqual(len(re.findall(r"(?m)^  gabor render ", text)), 3)
 
+    def test_examples_are_accepted(self):
+        """Each example in the help needs nothing but a device and the heightmap that it names."""
+        self.succeed("render", "--size=24", "-o", "heights.png")
+        examples = [example.split()[1:] for command in ([], ["render"]) for example in
+                    re.findall(r"(?m)^  (gabor (?:render|erode) .*)$", self.succeed(*command, "--help").partition("Examples:")[2])]
+        self.assertEqual(len(examples), 7)
+        for example in examples:
+            said = gabor(*example, "--device=none", cwd=self.folder)
+            self.assertEqual(said.returncode, 2, example)
+            self.assertIn("gabor: --device 'none' matches no device", said.stderr, example)
+
+    def test_each_view_has_a_line_in_the_help(self):
+        text = self.succeed("render", "--help").partition("--view NAME")[2]
+        views = re.findall(r"(?m)^ {30}([\w, ]+): \w", text.partition("[flat]")[0])
+        self.assertEqual(", ".join(views), "flat, horizon, slice, sphere, torus, terrain, landscape, ocean")
+
     def defaults(self, command):
         """Yields each option of a command that has a default, with the default: "V, or W in the X view" gives two."""
         for option in re.findall(r"(?m)^  (?:-o,)?(--.*\n(?: {30}.*\n)*)", self.succeed(command, "--help")):
@@ -72,7 +88,7 @@ class Help(ProgramTest):
         terrain = ["--view=terrain", "--heightmap=out.png"]
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
                  **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
-        meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
+        meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 to extent/8 if --extent is given, else 0,1000": "0,1000"}
         for command, number in ("render", 37), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)

@@ -59,6 +59,7 @@ class Joined(JoinTest):
     def test_it_reports_what_it_wrote(self):
         said = self.succeed("join", *self.regions(STRIPS), "-o", "joined.exr")
         self.assertEqual(said, "joined.exr: 96 x 75 pixels, from 3 regions\n")
+        self.assertEqual(self.succeed("join", "joined.exr", "-o", "again.exr"), "again.exr: 96 x 75 pixels, from 1 region\n")
 
 
 class Refused(JoinTest):

@@ -103,7 +103,7 @@ class Ocean(ProgramTest):
     def test_what_does_not_fit_is_refused(self):
         for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "swell=-1", "swell-period=4", "loop=12", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
-        self.assert_refused(["--wind", "the ocean view"], "render", "-o", "out.exr", "--wind=8")
+        self.assert_refused(["--wind needs --view ocean\n"], "render", "-o", "out.exr", "--wind=8")
         self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")
 
 

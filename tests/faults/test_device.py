@@ -11,7 +11,7 @@ from program import ProgramTest, gabor  # noqa: E402
 
 LAB = os.environ["GABOR_LAB"]
 LAYER = os.environ["GABOR_FAULT_LAYER"]
-FOUR_BANDS = ("--size=2200x4000",)
+SEVERAL_BANDS = ("--size=2200x4000",)
 
 
 def broken(function, call):
@@ -40,7 +40,7 @@ class Device(ProgramTest):
                 with self.subTest(function, output=output):
                     (self.folder / "old.exr").write_text("older")
                     (self.folder / "new.exr").unlink(missing_ok=True)
-                    self.fail_at_every_call(function, words, least, "render", "-o", output, *FOUR_BANDS)
+                    self.fail_at_every_call(function, words, least, "render", "-o", output, *SEVERAL_BANDS)
 
     def test_a_loss_during_a_study_is_reported(self):
         result = gabor("study", "figure1", "--quick", "-o", ".", command=(LAB,), cwd=self.folder,

@@ -61,6 +61,7 @@ class FitTest(ProgramTest):
         for values, lobes in ((np.dstack([colour, alpha]), "3"), (grey, "4"), (np.dstack([yellow, yellow, blue]), "3")):
             write_png(self.folder / "picture.png", values, bits=16)
             self.fit("picture.png", "--lobes", lobes, "--glsl", "sea.glsl")
+            self.assertIn("of the photograph's\n", self.said)
             texts.append(self.said + (self.folder / "fit.json").read_text() + (self.folder / "sea.glsl").read_text())
         self.assert_numbers(HERE / "fits.txt", texts)
 

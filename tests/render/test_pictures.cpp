@@ -374,6 +374,35 @@ TEST_CASE("filtered colours of noise in space keep their mean", "[render]") {
     CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
+TEST_CASE("bands begin small and grow slowly, so that work can end soon", "[render]") {
+    const vulkan::Device device;
+    for (const char* view : {"flat", "ocean"}) {
+        INFO(view);
+        render::Request request{.width = 400, .height = 300, .seed = 1};
+        render::set(request, "view", std::string(view));
+        const std::size_t channels = render::channels(request).size();
+        std::vector<std::size_t> bands; // their pixels
+        std::vector<float> pixels;
+        render::render_region(device, request, {0, 0, 400, 300}, [&](std::span<const float> values) {
+            bands.push_back(values.size() / channels);
+            pixels.insert(pixels.end(), values.begin(), values.end());
+        });
+        CHECK(bands.size() > 2);
+        std::size_t most = 1 << 14;
+        for (const std::size_t band : bands) {
+            CHECK(band <= most);
+            most = 4 * band;
+        }
+        // However it is cut, the picture is the same.
+        std::vector<float> rows;
+        for (int y = 0; y < 300; y += 100) {
+            const std::vector<float> part = rendered(device, request, {0, y, 400, 100});
+            rows.insert(rows.end(), part.begin(), part.end());
+        }
+        CHECK(pixels == rows);
+    }
+}
+
 TEST_CASE("an exception from the sink stops rendering", "[render]") {
     const vulkan::Device device;
     const render::Request request{.width = 4096, .height = 8192, .seed = 1};
