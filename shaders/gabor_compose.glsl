@@ -46,13 +46,13 @@ struct GaborBoards {
 
 // The board at a point.
 struct GaborBoard {
-    vec2 position;     // where to evaluate its material
-    vec2 dx;    // the pixel there, for a filtered material
+    vec2 position; // where to evaluate its material
+    vec2 dx;       // the pixel there, for a filtered material
     vec2 dy;
-    uint seed;  // the board's own seed for its material
-    vec2 turn;  // cosine and sine of its turn
-    float tone; // factor for its colours
-    vec3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
+    uint seed;     // the board's own seed for its material
+    vec2 turn;     // cosine and sine of its turn
+    float tone;    // factor for its colours
+    vec3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
 // GaborBoards gabor_boards_default()

@@ -72,13 +72,13 @@ GaborBoards GaborBoards_of(float3 joint, float width, float reach, float shift, 
 
 // The board at a point.
 struct GaborBoard {
-    float2 position;     // where to evaluate its material
-    float2 dx;    // the pixel there, for a filtered material
+    float2 position; // where to evaluate its material
+    float2 dx;       // the pixel there, for a filtered material
     float2 dy;
-    uint seed;  // the board's own seed for its material
-    float2 turn;  // cosine and sine of its turn
-    float tone; // factor for its colours
-    float3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
+    uint seed;     // the board's own seed for its material
+    float2 turn;     // cosine and sine of its turn
+    float tone;    // factor for its colours
+    float3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
 GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint)

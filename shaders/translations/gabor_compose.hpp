@@ -63,13 +63,13 @@ struct GaborBoards {
 
 // The board at a point.
 struct GaborBoard {
-    gabor_vec2 position;     // where to evaluate its material
-    gabor_vec2 dx;    // the pixel there, for a filtered material
+    gabor_vec2 position; // where to evaluate its material
+    gabor_vec2 dx;       // the pixel there, for a filtered material
     gabor_vec2 dy;
-    std::uint32_t seed;  // the board's own seed for its material
-    gabor_vec2 turn;  // cosine and sine of its turn
-    float tone; // factor for its colours
-    gabor_vec3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
+    std::uint32_t seed;     // the board's own seed for its material
+    gabor_vec2 turn;     // cosine and sine of its turn
+    float tone;    // factor for its colours
+    gabor_vec3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
 // GaborBoards gabor_boards_default()

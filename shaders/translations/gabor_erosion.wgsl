@@ -47,8 +47,8 @@ struct GaborErosion {
 //     of the height differs by up to 17 % between the positions in a square unit.
 
 // fn gabor_eroded(p: vec2f, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain
-//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there;
-//     elsewhere flat ground stays as it is. The height is continuous where the base and its slope are. The returned
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there.
+//     Elsewhere, flat ground stays as it is. The height is continuous where the base and its slope are. The returned
 //     slope is the derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros
 //     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
 //     result again, draw it as a heightmap first, which has its curvature in nine texels.

@@ -1,4 +1,4 @@
-"""Draws a drop-in in a fragment shader with moderngl: run.py "330 core"|"300 es" VALUES.raw DROP_IN [NAME=VALUE]"""
+"""Draws a drop-in in a fragment shader with moderngl: run.py "330 core"|"130"|"300 es" VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import pathlib
 import sys
