@@ -119,7 +119,7 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     vec2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
     uint salt = gabor_impl_salt(seed);
     uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    uint random = gabor_lobe_seed(word, 1);
+    uint random = gabor_derived_seed(word, 1);
     vec2 turn = float(random & 65535u) < 65536.0 * boards.turns ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec2 back = vec2(turn.x, -turn.y);
     vec2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
@@ -130,7 +130,7 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     vec2 free = 1.0 - vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shades * dark,
                       vec3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
 }
 

@@ -134,8 +134,8 @@ std::string terms(const View& view, std::size_t table) {
     for (const Wave& wave : view.table<Wave>(table)) {
         const auto [at, field] = term_of(view, wave);
         if (std::exchange(place, at) != at)
-            text +=
-                glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
+            text += glsl("    place = {};\n{}", place,
+                         time == 0 ? "" : glsl("    place.evolution = {};\n", time));
         const std::string noise =
             glsl("noise_of({}, {}u), {})", glsl(field, glsl(filter, wave.radius)), wave.seed, wave.radius);
         text += view.request.colour

@@ -124,7 +124,7 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 cell = gabor_cpp_floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5f) * size;
     std::uint32_t salt = gabor_impl_salt(seed);
     std::uint32_t word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    std::uint32_t random = gabor_lobe_seed(word, 1);
+    std::uint32_t random = gabor_derived_seed(word, 1);
     gabor_vec2 turn = float(random & 65535u) < 65536.0f * boards.turns ? gabor_vec2(0.0f, 1.0f) : gabor_vec2(1.0f, 0.0f);
     gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
     gabor_vec2 wide = 0.25f * (dx * dx + dy * dy); // the variance of the pixel along x and y
@@ -135,7 +135,7 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 free = 1.0f - gabor_vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f);
     return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0f - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0f - boards.shades * dark,
                       gabor_vec3(1.0f - free.x * free.y, free.y * across.y, free.x * along.y)};
 }
 

@@ -125,7 +125,7 @@ inline GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, Gab
     float2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
     uint salt = gabor_impl_salt(seed);
     uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    uint random = gabor_lobe_seed(word, 1);
+    uint random = gabor_derived_seed(word, 1);
     float2 turn = float(random & 65535u) < 65536.0 * boards.turns ? float2(0.0, 1.0) : float2(1.0, 0.0);
     float2 back = float2(turn.x, -turn.y);
     float2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
@@ -136,7 +136,7 @@ inline GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, Gab
     float2 free = 1.0 - float2(across.x, along.x); // of a joint along each axis
     float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shades * dark,
                       float3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y)};
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest a20e46d0eb7d52fd.
+// naga 30.0.1 made it from GLSL with the digest e6fe1736afabcdbe.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -246,7 +246,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e132 = gabor_impl_line_word(i32(_e126.y), (_e129 ^ 1540483477u));
     word_6 = (_e125 * _e132);
     let _e135 = word_6;
-    let _e137 = gabor_lobe_seed(_e135, 1i);
+    let _e137 = gabor_derived_seed(_e135, 1i);
     random = _e137;
     let _e139 = random;
     if (f32((_e139 & 65535u)) < (65536f * boards.turns)) {
@@ -291,7 +291,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e233 = back_1;
     let _e234 = gabor_impl_product(dy, _e233);
     let _e235 = word_6;
-    let _e237 = gabor_lobe_seed(_e235, 0i);
+    let _e237 = gabor_derived_seed(_e235, 0i);
     let _e238 = turn_16;
     let _e241 = dark_2;
     let _e245 = free;

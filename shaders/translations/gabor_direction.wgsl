@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c28ea545a61db080.
+// naga 30.0.1 made it from GLSL with the digest 88e504a95cd7bb27.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
@@ -66,14 +66,14 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     let _e37 = gabor_impl_wrap((place.cell.y + _e32.y), place.period.y);
     node = vec2<i32>(_e29, _e37);
     let _e39 = node;
-    return (vec2<f32>(_e39) / place.radius);
+    return (vec2<f32>(_e39) / place.cells_per_radius);
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
     var wave_6: vec2<f32>;
     var a_2: vec2<f32>;
-    var value_5: vec2<f32>;
+    var value_4: vec2<f32>;
     var slope_6: vec2<f32>;
     wave_6 = wave;
     let _e7 = wave_6;
@@ -83,24 +83,24 @@ fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<
     let _e17 = gabor_impl_product(amplitude, _e16);
     a_2 = _e17;
     let _e22 = a_2;
-    value_5 = ((x.x * y.x) * _e22);
+    value_4 = ((x.x * y.x) * _e22);
     slope_6 = vec2<f32>((x.y * y.x), (x.x * y.y));
     let _e34 = (*sum);
-    let _e36 = value_5;
+    let _e36 = value_4;
     (*sum).noise = (_e34.noise + _e36.y);
     let _e40 = (*sum);
     let _e42 = a_2;
     let _e44 = slope_6;
-    let _e47 = value_5;
+    let _e47 = value_4;
     let _e50 = wave_6;
     (*sum).gradient = (_e40.gradient + ((_e42.y * _e44) + ((6.2831855f * _e47.x) * _e50)));
     let _e55 = (*sum);
-    let _e57 = value_5;
+    let _e57 = value_4;
     (*sum).quadrature = (_e55.quadrature + _e57.x);
     let _e61 = (*sum);
     let _e63 = a_2;
     let _e65 = slope_6;
-    let _e68 = value_5;
+    let _e68 = value_4;
     let _e71 = wave_6;
     (*sum).quadrature_gradient = (_e61.quadrature_gradient + ((_e63.x * _e65) - ((6.2831855f * _e68.y) * _e71)));
     return;
@@ -123,12 +123,12 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
     let _e12 = salt_4;
-    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.radius.x);
+    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.cells_per_radius.x);
     x_6 = _e16;
     let _e24 = salt_4;
-    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.radius.y);
+    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.cells_per_radius.y);
     y_5 = _e30;
-    stretch_2 = (place.radius / vec2(1.5f));
+    stretch_2 = (place.cells_per_radius / vec2(1.5f));
     loop {
         let _e51 = j_1;
         if !((_e51 < 3i)) {
@@ -146,13 +146,13 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
                     let _e70 = x_6.word[_e67];
                     let _e71 = j_1;
                     let _e74 = y_5.word[_e71];
-                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.moment);
+                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.evolution);
                     amplitude_3 = _e77;
                     let _e79 = x_6;
                     let _e81 = i;
                     let _e86 = y_5;
                     let _e88 = j_1;
-                    d_1 = (vec2<f32>((_e79.offset - f32((_e81 - 1i))), (_e86.offset - f32((_e88 - 1i)))) / place.radius);
+                    d_1 = (vec2<f32>((_e79.offset - f32((_e81 - 1i))), (_e86.offset - f32((_e88 - 1i)))) / place.cells_per_radius);
                     let _e98 = amplitude_3;
                     let _e100 = j_1;
                     let _e102 = i;

@@ -124,22 +124,22 @@ GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period)
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
 GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
-    place.radius = (float2)(float(rounded) / 65536.0);
+    place.cells_per_radius = (float2)(float(rounded) / 65536.0);
     uint2 low = ((uint2)(ground.cell) & (uint2)(0xffffu)) * (rounded & 0xffffu);
     uint2 high = (uint2)(ground.cell) * (rounded >> 16u) + (uint2)(ground.cell >> (int2)(16)) * (rounded & 0xffffu);
     place.cell = (int2)(high + (low >> (uint2)(16u)));
-    place.local = (float2)(low & (uint2)(0xffffu)) / 65536.0 + ground.local * place.radius;
+    place.local = (float2)(low & (uint2)(0xffffu)) / 65536.0 + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
-    place.period = (int2)(max(floor(ground.period * place.radius + 0.5), 4.0));
-    if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
-    if (ground.period.y > 0.0) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.period = (int2)(max(floor(ground.period * place.cells_per_radius + 0.5), 4.0));
+    if (ground.period.x > 0.0) place.cells_per_radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
+    if (ground.period.y > 0.0) place.cells_per_radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
     place.cell = (int2)(0);
-    place.local = ((float2)(ground.cell) + ground.local) * place.radius;
+    place.local = ((float2)(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
 }
 
@@ -224,12 +224,12 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, ui
     float2 first = 0.33 * unit * float2(1.0 + 0.12 * wave.y, 2.5132741 * rough * wave.x);
     float2 second = 0.33 * unit * unit * float2(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     float2 along_x = hills.slope_x, along_y = hills.slope_y;
-    float2 slope = place.radius * float2(dot(first, along_x), dot(first, along_y));
+    float2 slope = place.cells_per_radius * float2(dot(first, along_x), dot(first, along_y));
     float3 curvature = float3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
                           dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                               + second.y * along_x.y * along_y.y,
                           dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
-    curvature *= float3(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    curvature *= float3(place.cells_per_radius * place.cells_per_radius.x, place.cells_per_radius.y * place.cells_per_radius.y);
     float to_ridge = rsqrt(1.0 + height * height);
     return GaborTerrain_of(0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope);
 }
@@ -277,9 +277,9 @@ void gabor_impl_add_bent_row(inout float4 sum, inout float2 along_y, inout float
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
 GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.cells_per_radius.y);
     float4 sum = (float4)(0.0), places = (float4)(0.0);
     float2 along_y = (float2)(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -287,9 +287,9 @@ GaborBentField gabor_impl_bent_field(GaborPlace place, float2 wave, float2 direc
     if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
     if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
     float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    GaborField field = gabor_impl_field(sum, float4(along_y, 0.0, 0.0), turn, wave, place.radius / GABOR_RADIUS);
+    GaborField field = gabor_impl_field(sum, float4(along_y, 0.0, 0.0), turn, wave, place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     float2 value = float2(field.quadrature, field.noise);
-    direction *= 6.2831853 / place.radius;
+    direction *= 6.2831853 / place.cells_per_radius;
     float2 nodes = direction.x * places.xy + direction.y * places.zw;
     float2 bent = dot(direction, float2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -342,8 +342,8 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, Gab
         float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0);
         float2 z = (float2)(0.0), z_x = (float2)(0.0), z_y = (float2)(0.0), kept_slope = (float2)(0.0);
         if (kept > 0.0) {
-            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_CELLS_PER_RADIUS * frequency); // 1.25 gullies per radius
+            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = rsqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;

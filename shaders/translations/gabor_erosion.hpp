@@ -89,22 +89,22 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
 GABOR_INLINE GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
-    place.radius = gabor_vec2(float(rounded) / 65536.0f);
+    place.cells_per_radius = gabor_vec2(float(rounded) / 65536.0f);
     gabor_uvec2 low = (gabor_uvec2(ground.cell) & gabor_uvec2(0xffffu)) * (rounded & 0xffffu);
     gabor_uvec2 high = gabor_uvec2(ground.cell) * (rounded >> 16u) + gabor_uvec2(ground.cell >> gabor_ivec2(16)) * (rounded & 0xffffu);
     place.cell = gabor_ivec2(high + (low >> gabor_uvec2(16u)));
-    place.local = gabor_vec2(low & gabor_uvec2(0xffffu)) / 65536.0f + ground.local * place.radius;
+    place.local = gabor_vec2(low & gabor_uvec2(0xffffu)) / 65536.0f + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0f && ground.period.y <= 0.0f) return place;
-    place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.radius + 0.5f), 4.0f));
-    if (ground.period.x > 0.0f) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
-    if (ground.period.y > 0.0f) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.cells_per_radius + 0.5f), 4.0f));
+    if (ground.period.x > 0.0f) place.cells_per_radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
+    if (ground.period.y > 0.0f) place.cells_per_radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
     place.cell = gabor_ivec2(0);
-    place.local = (gabor_vec2(ground.cell) + ground.local) * place.radius;
+    place.local = (gabor_vec2(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
 }
 
@@ -177,12 +177,12 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     gabor_vec2 first = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
     gabor_vec2 second = 0.33f * unit * unit * gabor_vec2(0.30159289f * wave.x, -6.3165468f * rough * wave.y);
     gabor_vec2 along_x = hills.slope_x, along_y = hills.slope_y;
-    gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
+    gabor_vec2 slope = place.cells_per_radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
     gabor_vec3 curvature = gabor_vec3(gabor_cpp_dot(first, hills.curvature_xx) + along_x.y * (2.0f * second.x * along_x.x + second.y * along_x.y),
                           gabor_cpp_dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                               + second.y * along_x.y * along_y.y,
                           gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
-    curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    curvature *= gabor_vec3(place.cells_per_radius * place.cells_per_radius.x, place.cells_per_radius.y * place.cells_per_radius.y);
     float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
     return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33f * slope};
 }
@@ -220,9 +220,9 @@ GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
 GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.cells_per_radius.y);
     gabor_vec4 sum = gabor_vec4(0.0f), places = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -230,9 +230,9 @@ GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 w
     if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
     if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    GaborField field = gabor_impl_field(sum, gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, place.radius / GABOR_RADIUS);
+    GaborField field = gabor_impl_field(sum, gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     gabor_vec2 value = gabor_vec2(field.quadrature, field.noise);
-    direction *= 6.2831853f / place.radius;
+    direction *= 6.2831853f / place.cells_per_radius;
     gabor_vec2 nodes = direction.x * places.xy() + direction.y * places.zw();
     gabor_vec2 bent = gabor_cpp_dot(direction, gabor_vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -285,8 +285,8 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f);
         gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
-            GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_CELLS_PER_RADIUS * frequency); // 1.25 gullies per radius
+            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;

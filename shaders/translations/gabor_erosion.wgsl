@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c00f73d7b750160f.
+// naga 30.0.1 made it from GLSL with the digest 030fbe6087190b86.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -79,7 +79,7 @@ struct GaborTerrainPlace {
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     var rounded: u32;
@@ -90,7 +90,7 @@ fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     let _e15 = gabor_place(vec2(0i), vec2(0f));
     place_3 = _e15;
     let _e18 = rounded;
-    place_3.radius = vec2((f32(_e18) / 65536f));
+    place_3.cells_per_radius = vec2((f32(_e18) / 65536f));
     let _e28 = rounded;
     low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
     let _e35 = rounded;
@@ -101,28 +101,28 @@ fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     place_3.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
     let _e61 = low;
     let _e70 = place_3;
-    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
+    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.cells_per_radius));
     if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
         let _e83 = place_3;
         return _e83;
     }
     let _e86 = place_3;
-    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
+    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.cells_per_radius) + vec2(0.5f))), vec2(4f)));
     if (ground.period.x > 0f) {
         let _e103 = place_3;
-        place_3.radius.x = (f32(_e103.period.x) / ground.period.x);
+        place_3.cells_per_radius.x = (f32(_e103.period.x) / ground.period.x);
     } else {
         place_3.period.x = 0i;
     }
     if (ground.period.y > 0f) {
         let _e119 = place_3;
-        place_3.radius.y = (f32(_e119.period.y) / ground.period.y);
+        place_3.cells_per_radius.y = (f32(_e119.period.y) / ground.period.y);
     } else {
         place_3.period.y = 0i;
     }
     place_3.cell = vec2(0i);
     let _e137 = place_3;
-    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
+    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.cells_per_radius);
     let _e140 = place_3;
     return _e140;
 }
@@ -361,7 +361,7 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e273 = along_x_2;
     let _e275 = first_2;
     let _e276 = along_y_1;
-    slope_7 = (_e270.radius * vec2<f32>(dot(_e272, _e273), dot(_e275, _e276)));
+    slope_7 = (_e270.cells_per_radius * vec2<f32>(dot(_e272, _e273), dot(_e275, _e276)));
     let _e281 = first_2;
     let _e282 = hills;
     let _e285 = along_x_2;
@@ -390,10 +390,10 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e353 = curvature_1;
     let _e354 = place_4;
     let _e356 = place_4;
-    let _e359 = (_e354.radius * _e356.radius.x);
+    let _e359 = (_e354.cells_per_radius * _e356.cells_per_radius.x);
     let _e360 = place_4;
     let _e363 = place_4;
-    curvature_1 = (_e353 * vec3<f32>(_e359.x, _e359.y, (_e360.radius.y * _e363.radius.y)));
+    curvature_1 = (_e353 * vec3<f32>(_e359.x, _e359.y, (_e360.cells_per_radius.y * _e363.cells_per_radius.y)));
     let _e372 = height;
     let _e373 = height;
     to_ridge = inverseSqrt((1f + (_e372 * _e373)));
@@ -482,7 +482,7 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     var along_y_3: vec2<f32> = vec2(0f);
     var turn_6: vec2<f32>;
     var field_4: GaborField;
-    var value_6: vec2<f32>;
+    var value_5: vec2<f32>;
     var nodes_2: vec2<f32>;
     var local_11: f32;
     var bent: vec2<f32>;
@@ -490,12 +490,12 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     let _e5 = gabor_impl_salt(seed);
     salt_6 = _e5;
     let _e13 = salt_6;
-    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, wave.x, place.radius.x);
+    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, wave.x, place.cells_per_radius.x);
     x_8 = _e17;
     let _e19 = salt_6;
     salt_6 = (_e19 ^ 1540483477u);
     let _e28 = salt_6;
-    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e28, wave.y, place.radius.y);
+    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e28, wave.y, place.cells_per_radius.y);
     y_7 = _e32;
     let _e46 = x_8;
     let _e47 = y_7;
@@ -522,13 +522,13 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     let _e98 = sum_7;
     let _e99 = along_y_3;
     let _e105 = turn_6;
-    let _e113 = gabor_impl_field(_e98, vec4<f32>(_e99.x, _e99.y, 0f, 0f), _e105, wave, (place.radius / vec2(1.5f)));
+    let _e113 = gabor_impl_field(_e98, vec4<f32>(_e99.x, _e99.y, 0f, 0f), _e105, wave, (place.cells_per_radius / vec2(1.5f)));
     field_4 = _e113;
     let _e115 = field_4;
     let _e117 = field_4;
-    value_6 = vec2<f32>(_e115.quadrature, _e117.noise);
+    value_5 = vec2<f32>(_e115.quadrature, _e117.noise);
     let _e121 = direction_1;
-    direction_1 = (_e121 * (vec2(6.2831855f) / place.radius));
+    direction_1 = (_e121 * (vec2(6.2831855f) / place.cells_per_radius));
     let _e127 = direction_1;
     let _e129 = places_1;
     let _e132 = direction_1;
@@ -537,7 +537,7 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     let _e139 = direction_1;
     let _e140 = x_8;
     let _e142 = y_7;
-    let _e146 = value_6;
+    let _e146 = value_5;
     let _e148 = nodes_2;
     let _e149 = turn_6;
     let _e150 = gabor_impl_product(_e148, _e149);
@@ -548,7 +548,7 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32
     }
     let _e161 = local_11;
     bent = ((dot(_e139, vec2<f32>(_e140.offset, _e142.offset)) * _e146) - (_e150 / vec2((1459955300000000000000000000f * _e161))));
-    let _e167 = value_6;
+    let _e167 = value_5;
     let _e168 = field_4;
     let _e171 = field_4;
     let _e175 = field_4;
@@ -742,7 +742,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
                     let _e231 = wave_7;
                     let _e232 = down;
                     let _e233 = i;
-                    let _e234 = gabor_lobe_seed(seed, _e233);
+                    let _e234 = gabor_derived_seed(seed, _e233);
                     let _e235 = gabor_impl_bent_field(_e230, _e231, _e232, _e234);
                     field_5 = _e235;
                     let _e238 = field_5;

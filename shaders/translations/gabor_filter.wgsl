@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 3e742362229e2b84.
+// naga 30.0.1 made it from GLSL with the digest 909af61bc59c3e7e.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
@@ -98,7 +98,7 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
 }
 
-// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
+// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
 struct GaborFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>, // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -228,7 +228,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var turn_6: vec2<f32>;
     var first_1: vec2<f32>;
     var last: vec2<f32>;
-    var value_7: vec4<f32>;
+    var value_6: vec4<f32>;
     var slope_7: vec4<f32>;
     rise = exp((19.739208f * blurred));
     let _e14 = rise;
@@ -261,19 +261,19 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e99 = turn_6;
     last = (_e95.y * vec2<f32>(_e97.x, -(_e99.y)));
     let _e107 = (*axis);
-    gabor_impl_windows(_e107.offset, (&value_7), (&slope_7));
-    let _e116 = value_7;
+    gabor_impl_windows(_e107.offset, (&value_6), (&slope_7));
+    let _e116 = value_6;
     let _e118 = slope_7;
     let _e120 = part_1;
     let _e121 = first_1;
     let _e122 = gabor_impl_filtered_node(_e116.x, _e118.x, _e120, _e121);
     (*axis).node[0i] = _e122;
-    let _e126 = value_7;
+    let _e126 = value_6;
     let _e128 = slope_7;
     let _e130 = part_1;
     let _e134 = gabor_impl_filtered_node(_e126.y, _e128.y, _e130, vec2<f32>(1f, 0f));
     (*axis).node[1i] = _e134;
-    let _e138 = value_7;
+    let _e138 = value_6;
     let _e140 = slope_7;
     let _e142 = part_1;
     let _e143 = last;
@@ -298,10 +298,10 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, moment: f32) -> vec2<f32> {
+fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, evolution: f32) -> vec2<f32> {
     var sum_9: vec4<f32>;
     var slope_8: vec4<f32>;
-    gabor_impl_sum(columns, rows, moment, (&sum_9), (&slope_8));
+    gabor_impl_sum(columns, rows, evolution, (&sum_9), (&slope_8));
     let _e10 = sum_9;
     let _e12 = slope_8;
     return (_e10.xy + (coupling * _e12.zw));
@@ -315,7 +315,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var turn_7: vec2<f32>;
     var columns_slope: GaborAxis;
     var rows_slope: GaborAxis;
-    var value_8: vec2<f32>;
+    var value_7: vec2<f32>;
     var along_x_1: vec2<f32>;
     var along_y_1: vec2<f32>;
     let _e4 = gabor_impl_symmetric(s, wave);
@@ -341,17 +341,17 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows_1), s.y, _e67.y, (&rows_slope));
     let _e72 = columns_1;
     let _e73 = rows_1;
-    let _e76 = gabor_impl_coupled_sum(_e72, _e73, s.z, place.moment);
-    value_8 = _e76;
+    let _e76 = gabor_impl_coupled_sum(_e72, _e73, s.z, place.evolution);
+    value_7 = _e76;
     let _e78 = columns_slope;
     let _e79 = rows_1;
-    let _e82 = gabor_impl_coupled_sum(_e78, _e79, s.z, place.moment);
+    let _e82 = gabor_impl_coupled_sum(_e78, _e79, s.z, place.evolution);
     along_x_1 = _e82;
     let _e84 = columns_1;
     let _e85 = rows_slope;
-    let _e88 = gabor_impl_coupled_sum(_e84, _e85, s.z, place.moment);
+    let _e88 = gabor_impl_coupled_sum(_e84, _e85, s.z, place.evolution);
     along_y_1 = _e88;
-    let _e90 = value_8;
+    let _e90 = value_7;
     let _e91 = along_x_1;
     let _e97 = along_y_1;
     let _e103 = turn_7;
@@ -674,11 +674,11 @@ fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, 
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, moment: f32) {
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, evolution: f32) {
     var a_3: vec2<f32>;
     var b_8: vec2<f32>;
     var c_4: vec2<f32>;
-    let _e7 = gabor_impl_amplitude_at((column.word * row_word), moment);
+    let _e7 = gabor_impl_amplitude_at((column.word * row_word), evolution);
     a_3 = _e7;
     let _e11 = a_3;
     b_8 = (column.fade.x * _e11);
@@ -698,19 +698,19 @@ fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<func
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, moment: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
+fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, evolution: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
     var row_3: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
     var none: GaborFactors;
     let _e10 = row_3;
     none = _e10;
     let _e12 = row_3;
     (*edge) = _e12;
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, moment);
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, moment);
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, evolution);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, evolution);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, evolution);
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, evolution);
     if columns.five {
-        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, moment);
+        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, evolution);
     }
     let _e39 = row_3;
     return _e39;
@@ -747,7 +747,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var line_4: GaborFilteredLine;
     var local_20: i32;
     var rows_2: i32;
-    var value_9: vec2<f32> = vec2(0f);
+    var value_8: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
     var next_y: vec2<f32> = vec2(0f);
     var edge_x: vec2<f32> = vec2(0f);
@@ -838,17 +838,17 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
             edge_2 = GaborFactors(vec3(0f), vec3(0f));
             let _e188 = columns_4;
             let _e189 = line_4;
-            let _e194 = gabor_impl_filtered_row(_e188, _e189.word, place.moment, (&edge_2));
+            let _e194 = gabor_impl_filtered_row(_e188, _e189.word, place.evolution, (&edge_2));
             row_4 = _e194;
             let _e196 = line_4;
             let _e197 = gabor_impl_faded(_e196);
             window_2 = _e197;
-            let _e199 = value_9;
+            let _e199 = value_8;
             let _e200 = row_4;
             let _e201 = window_2;
             let _e202 = weights_1;
             let _e203 = gabor_impl_contracted(_e200, _e201, _e202);
-            value_9 = (_e199 + _e203);
+            value_8 = (_e199 + _e203);
             let _e205 = next_x;
             let _e206 = row_4;
             let _e207 = gabor_impl_next(_e206);
@@ -899,13 +899,13 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e263 = m_1;
     before = (_e260 * sqrt((_e261.yx / _e263)));
     let _e269 = mean_1;
-    let _e271 = value_9;
+    let _e271 = value_8;
     let _e273 = next_x;
     let _e275 = before;
     let _e277 = next_y;
     x_9 = (6.2831855f * (((_e269.x * _e271) + _e273) - (_e275.x * _e277)));
     let _e283 = mean_1;
-    let _e285 = value_9;
+    let _e285 = value_8;
     let _e287 = next_y;
     let _e289 = before;
     let _e291 = next_x;
@@ -929,12 +929,12 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e332 = local_21;
     scale = ((sqrt((1f - (_e313 * _e314))) * exp(-(_e318))) / (1459955300000000000000000000f * _e332));
     let _e336 = scale;
-    let _e337 = value_9;
+    let _e337 = value_8;
     let _e340 = scale;
     let _e341 = x_9;
     let _e343 = y_6;
     let _e347 = scale;
-    let _e348 = value_9;
+    let _e348 = value_8;
     let _e351 = scale;
     let _e352 = x_9;
     let _e354 = y_6;
@@ -946,7 +946,7 @@ fn gabor_impl_wide_share(footprint: GaborFootprint) -> f32 {
     return clamp(((100f * sqrt(max(footprint.resolved.x, footprint.resolved.y))) - 9f), 0f, 1f);
 }
 
-// Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
+// Nodes are `stretch` / GABOR_CELLS_PER_RADIUS kernel radii apart.
 fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, wave: vec2<f32>, seed: u32) -> GaborField {
     var wave_14: vec2<f32>;
     var stretch_3: vec2<f32>;
@@ -956,7 +956,7 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, 
     var salt_8: u32;
     var amplitude_2: f32 = 1f;
     wave_14 = wave;
-    stretch_3 = (place.radius / vec2(1.5f));
+    stretch_3 = (place.cells_per_radius / vec2(1.5f));
     let _e14 = wave_14;
     let _e21 = stretch_3;
     wave_14 = (clamp(_e14, vec2(-1000000f), vec2(1000000f)) / _e21);
@@ -1006,7 +1006,7 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, 
 fn gabor_field_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, seed: u32) -> GaborField {
     var stretch_4: vec2<f32>;
     var footprint_3: GaborFootprint;
-    stretch_4 = (place.radius / vec2(1.5f));
+    stretch_4 = (place.cells_per_radius / vec2(1.5f));
     let _e13 = stretch_4;
     let _e15 = stretch_4;
     let _e17 = gabor_impl_footprint((_e13 * dx), (_e15 * dy));
@@ -1066,7 +1066,7 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, l
             let _e48 = lobe_2;
             let _e49 = gabor_impl_lobe_wave(_e48);
             let _e50 = i_6;
-            let _e51 = gabor_lobe_seed(seed, _e50);
+            let _e51 = gabor_derived_seed(seed, _e50);
             let _e52 = gabor_field_filtered(_e43, (_e44 * dx), (_e46 * dy), _e49, _e51);
             field_8 = _e52;
             let _e55 = field_8;
@@ -1138,7 +1138,7 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     var imaginary_2: vec2<f32>;
     var h_x: vec2<f32>;
     var h_y: vec2<f32>;
-    var value_10: vec2<f32>;
+    var value_9: vec2<f32>;
     var along_x_2: vec2<f32>;
     var along_y_2: vec2<f32>;
     a_6 = a;
@@ -1174,7 +1174,7 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     let _e82 = gabor_impl_product(_e80, _e81);
     let _e93 = a_6;
     let _e94 = gabor_impl_product((_e82 + vec2<f32>(((s.z * node.sine.x) * node.sine.y), 0f)), _e93);
-    value_10 = _e94;
+    value_9 = _e94;
     let _e96 = even_2;
     real_2 = (_e96 * node.sine);
     let _e101 = odd_2;
@@ -1194,22 +1194,22 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     let _e123 = gabor_impl_product(_e121, _e122);
     along_y_2 = _e123;
     let _e126 = (*sum);
-    let _e128 = value_10;
+    let _e128 = value_9;
     (*sum).noise = (_e126.noise + _e128.y);
     let _e132 = (*sum);
     let _e134 = along_x_2;
     let _e136 = along_y_2;
-    let _e139 = value_10;
-    let _e144 = value_10;
+    let _e139 = value_9;
+    let _e144 = value_9;
     (*sum).gradient = (_e132.gradient + ((vec2<f32>(_e134.y, _e136.y) + (_e139.y * faded)) + ((6.2831855f * _e144.x) * wave)));
     let _e151 = (*sum);
-    let _e153 = value_10;
+    let _e153 = value_9;
     (*sum).quadrature = (_e151.quadrature + _e153.x);
     let _e157 = (*sum);
     let _e159 = along_x_2;
     let _e161 = along_y_2;
-    let _e164 = value_10;
-    let _e169 = value_10;
+    let _e164 = value_9;
+    let _e169 = value_9;
     (*sum).quadrature_gradient = (_e157.quadrature_gradient + ((vec2<f32>(_e159.x, _e161.x) + (_e164.x * faded)) - ((6.2831855f * _e169.y) * wave)));
     return;
 }
@@ -1280,7 +1280,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     let _e78 = kept;
     let _e79 = narrower;
     amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e75)) * sqrt(min((_e78 / max(_e79, 0.000000000000000000000000000001f)), 1f)));
-    stretch_5 = (place.radius / vec2(1.5f));
+    stretch_5 = (place.cells_per_radius / vec2(1.5f));
     let _e96 = frequency_16;
     let _e97 = stretch_5;
     unit_4 = (vec2(_e96) / _e97);
@@ -1330,7 +1330,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     let _e223 = row_5;
                     let _e225 = unit_4;
                     let _e226 = d_5;
-                    let _e229 = gabor_impl_star((_e222 * _e223), (_e225 * _e226), place.moment);
+                    let _e229 = gabor_impl_star((_e222 * _e223), (_e225 * _e226), place.evolution);
                     star_2 = _e229;
                     let _e232 = d_5;
                     let _e236 = width_3;

@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 243db73411eb4d6c.
+// naga 30.0.1 made it from GLSL with the digest bbd3b0969a0f2e58.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -100,7 +100,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var rows_3: i32;
     var local_44: i32;
     var slices: i32;
-    var value_12: vec2<f32> = vec2(0f);
+    var value_11: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
     var next_y_1: vec2<f32> = vec2(0f);
     var next_z: vec2<f32> = vec2(0f);
@@ -228,7 +228,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
                     let _e233 = row_9;
                     let _e235 = slice_3;
                     let _e237 = gabor_impl_slice_word(_e233.word, _e235.word);
-                    let _e241 = gabor_impl_filtered_row(_e232, _e237, place.moment, (&edge_3));
+                    let _e241 = gabor_impl_filtered_row(_e232, _e237, place.evolution, (&edge_3));
                     sum_26 = _e241;
                     let _e243 = row_9;
                     let _e244 = gabor_impl_faded(_e243);
@@ -263,14 +263,14 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
             let _e279 = slice_3;
             let _e280 = gabor_impl_faded(_e279);
             along_z = _e280;
-            let _e282 = value_12;
+            let _e282 = value_11;
             let _e283 = y_0_2;
             let _e284 = y_1_2;
             let _e285 = y_2_2;
             let _e286 = along_z;
             let _e287 = w_3;
             let _e288 = gabor_impl_contracted_3d(_e283, _e284, _e285, _e286, _e287);
-            value_12 = (_e282 + _e288);
+            value_11 = (_e282 + _e288);
             let _e290 = next_x_1;
             let _e291 = y_0_2;
             let _e292 = gabor_impl_next(_e291);
@@ -320,7 +320,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     quarter_1 = (vec3(0.012665148f) / _e341);
     let _e345 = real_3;
     let _e346 = c_6;
-    let _e348 = value_12;
+    let _e348 = value_11;
     let _e351 = quarter_1;
     let _e354 = w_3;
     let _e356 = real_3;
@@ -328,7 +328,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     real_3 = (_e345 + (((wave + _e346) * _e348.x) + (_e351 * _e357)));
     let _e361 = imaginary_3;
     let _e362 = c_6;
-    let _e364 = value_12;
+    let _e364 = value_11;
     let _e367 = quarter_1;
     let _e370 = w_3;
     let _e372 = imaginary_3;
@@ -358,11 +358,11 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e421 = local_46;
     scale_3 = (_e410 / (1459955300000000000000000000f * _e421));
     let _e424 = scale_3;
-    let _e425 = value_12;
+    let _e425 = value_11;
     let _e429 = scale_3;
     let _e431 = real_3;
     let _e433 = scale_3;
-    let _e434 = value_12;
+    let _e434 = value_11;
     let _e439 = scale_3;
     let _e441 = imaginary_3;
     return GaborField3d((_e424 * _e425.y), ((6.2831855f * _e429) * _e431), (_e433 * _e434.x), ((-6.2831855f * _e439) * _e441), 0f);
@@ -370,7 +370,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
-// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
+// for isotropic noise, otherwise in units of GABOR_CELLS_PER_RADIUS node spacings.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -458,10 +458,10 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
 }
 
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, mixed: vec3<f32>, moment: f32) {
+fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, mixed: vec3<f32>, evolution: f32) {
     var slice_4: vec4<f32>;
     var slope_11: vec4<f32>;
-    gabor_impl_sum_slice(x, y, z, 0i, moment, (&slice_4), (&slope_11));
+    gabor_impl_sum_slice(x, y, z, 0i, evolution, (&slice_4), (&slope_11));
     let _e15 = slice_4;
     gabor_impl_add_products(sum, _e15, z.node[0].xy);
     let _e21 = (*slopes);
@@ -536,7 +536,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
             let _e117 = x_19;
             let _e118 = y_17;
             let _e119 = z_10;
-            gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e117, _e118, _e119, pixel.mixed, place.moment);
+            gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e117, _e118, _e119, pixel.mixed, place.evolution);
             let _e130 = z_10.node[1];
             z_10.node[0i] = _e130;
             let _e137 = z_10.node[2];
@@ -573,7 +573,7 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     var sum_29: GaborField3d;
     var kept_1: bool;
     wave_26 = wave;
-    stretch_10 = (place.radius / vec3(1.5f));
+    stretch_10 = (place.cells_per_radius / vec3(1.5f));
     let _e14 = wave_26;
     let _e21 = stretch_10;
     wave_26 = (clamp(_e14, vec3(-1000000f), vec3(1000000f)) / _e21);
@@ -697,7 +697,7 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
             power_7 = _e64;
             let _e67 = wave_27;
             let _e68 = i_13;
-            let _e69 = gabor_lobe_seed(seed, _e68);
+            let _e69 = gabor_derived_seed(seed, _e68);
             let _e70 = gabor_field_3d_filtered(place, dx, dy, _e67, _e69);
             let _e71 = power_7;
             gabor_impl_add_field_3d((&sum_30), _e70, sqrt(_e71), vec3(1f));
@@ -752,7 +752,7 @@ fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredN
 
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, wave: vec4<f32>, moment: f32, pixel: GaborMatrix, word: u32) {
+fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, wave: vec4<f32>, evolution: f32, pixel: GaborMatrix, word: u32) {
     var a_9: vec2<f32>;
     var middle: vec3<f32>;
     var cosine_2: vec3<f32>;
@@ -767,11 +767,11 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     var i_slope: vec3<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: vec3<f32>;
-    var value_13: vec2<f32>;
+    var value_12: vec2<f32>;
     var slope_12: vec3<f32>;
     var turned_1: vec3<f32>;
     var faded_5: vec3<f32>;
-    let _e8 = gabor_impl_amplitude_at(word, moment);
+    let _e8 = gabor_impl_amplitude_at(word, evolution);
     let _e10 = gabor_impl_wave(wave.w);
     let _e11 = gabor_impl_product(_e8, _e10);
     a_9 = _e11;
@@ -833,7 +833,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     let _e155 = real_4;
     let _e160 = a_9;
     let _e161 = gabor_impl_product(vec2<f32>((((_e135.x * _e137.x) - (_e140.x * _e142.x)) + _e146), ((_e148.x * _e150.x) + (_e153.x * _e155.x))), _e160);
-    value_13 = _e161;
+    value_12 = _e161;
     let _e163 = even_3;
     let _e164 = sine;
     let _e166 = real_4;
@@ -848,33 +848,33 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     turned_1 = (((_e173 * _e174) * _e176) + (_e178 * _e179));
     faded_5 = vec3<f32>(x.faded, y.faded, z.faded);
     let _e189 = (*sum);
-    let _e191 = value_13;
+    let _e191 = value_12;
     (*sum).noise = (_e189.noise + _e191.y);
     let _e195 = (*sum);
     let _e197 = slope_12;
     let _e198 = a_9;
     let _e201 = turned_1;
     let _e202 = a_9;
-    let _e206 = value_13;
+    let _e206 = value_12;
     let _e208 = faded_5;
-    let _e212 = value_13;
+    let _e212 = value_12;
     (*sum).gradient = (_e195.gradient + ((((_e197 * _e198.y) + (_e201 * _e202.x)) + (_e206.y * _e208)) + ((6.2831855f * _e212.x) * wave.xyz)));
     let _e220 = (*sum);
-    let _e222 = value_13;
+    let _e222 = value_12;
     (*sum).quadrature = (_e220.quadrature + _e222.x);
     let _e226 = (*sum);
     let _e228 = slope_12;
     let _e229 = a_9;
     let _e232 = turned_1;
     let _e233 = a_9;
-    let _e237 = value_13;
+    let _e237 = value_12;
     let _e239 = faded_5;
-    let _e243 = value_13;
+    let _e243 = value_12;
     (*sum).quadrature_gradient = (_e226.quadrature_gradient + ((((_e228 * _e229.x) - (_e232 * _e233.y)) + (_e237.x * _e239)) - ((6.2831855f * _e243.y) * wave.xyz)));
     return;
 }
 
-fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, moment: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, evolution: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var d_10: vec3<f32>;
     var star_4: GaborStar3d;
     var unit_6: vec4<f32>;
@@ -885,14 +885,14 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFi
     unit_6 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
     let _e28 = unit_6;
     let _e29 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.u), moment, pixel, (column * row.x));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.u), evolution, pixel, (column * row.x));
     let _e36 = unit_6;
     let _e37 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.v), moment, pixel, (column * row.y));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.v), evolution, pixel, (column * row.y));
     if !(tangents.only) {
         let _e46 = unit_6;
         let _e47 = star_4;
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.w), moment, pixel, (column * row.z));
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.w), evolution, pixel, (column * row.z));
         return;
     } else {
         return;
@@ -999,7 +999,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var local_53: f32;
     var local_54: f32;
     frequency_27 = frequency;
-    stretch_11 = (place.radius / vec3(1.5f));
+    stretch_11 = (place.cells_per_radius / vec3(1.5f));
     let _e15 = frequency_27;
     frequency_27 = min(abs(_e15), 1000000f);
     let _e21 = gabor_impl_pixel(dx, dy, vec3(1f));
@@ -1097,7 +1097,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e201 = pixel_9;
             let _e205 = x_22.word[0];
             let _e206 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_34), _e196, _e197, _e198, _e199, place.moment, _e201, tangents, _e205, _e206);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e196, _e197, _e198, _e199, place.evolution, _e201, tangents, _e205, _e206);
             let _e209 = x_1_;
             let _e210 = y_j_1;
             let _e211 = z_k_1;
@@ -1105,7 +1105,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e214 = pixel_9;
             let _e218 = x_22.word[1];
             let _e219 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_34), _e209, _e210, _e211, _e212, place.moment, _e214, tangents, _e218, _e219);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e209, _e210, _e211, _e212, place.evolution, _e214, tangents, _e218, _e219);
             let _e222 = x_2_;
             let _e223 = y_j_1;
             let _e224 = z_k_1;
@@ -1113,7 +1113,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e227 = pixel_9;
             let _e231 = x_22.word[2];
             let _e232 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_34), _e222, _e223, _e224, _e225, place.moment, _e227, tangents, _e231, _e232);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e222, _e223, _e224, _e225, place.evolution, _e227, tangents, _e231, _e232);
         }
         continuing {
             let _e161 = i_14;
@@ -1207,7 +1207,7 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
             let _e63 = i_15;
             let _e64 = gabor_impl_tangents(_e62, _e63);
             let _e65 = i_15;
-            let _e66 = gabor_lobe_seed(seed, _e65);
+            let _e66 = gabor_derived_seed(seed, _e65);
             let _e67 = gabor_impl_isotropic_filtered(place, dx, dy, frequency, _e64, _e66);
             field_14 = _e67;
             let _e70 = field_14;

@@ -443,7 +443,7 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 stretch = scale * place.radius / GABOR_RADIUS;
+    float2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
@@ -459,7 +459,7 @@ GaborPixel gabor_impl_warp(GaborPixel at, float2 density, float2 amplitude, uint
     float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size;
-    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
     return GaborPixel_of(at.p + amplitude * float2(field.quadrature, field.noise),
@@ -537,19 +537,19 @@ GaborLayer GaborLayer_of(int slot, GaborPixel at, float2 density, float2 wave, f
 
 // A layer of frequency 0.
 GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, float2 density, uint seed, int index) {
-    return GaborLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_lobe_seed(seed, index));
+    return GaborLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
 GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, float2 density, float frequency, float orientation, uint seed,
                                   int index) {
-    return GaborLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
+    return GaborLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_derived_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GaborLayer gabor_impl_octave(GaborPixel at, float2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     return GaborLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0), pow(gain, float(i)) * rsqrt(power),
-                      gabor_lobe_seed(seed, i));
+                      gabor_derived_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -778,7 +778,7 @@ GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt) {
 
 // The same as gabor_field_filtered with the wave vector 0.
 GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uint seed) {
-    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted((float2)(0.0), footprint.covariance);
     float amplitude = sqrt(kept / gabor_impl_transmitted((float2)(0.0), footprint.resolved));
@@ -1172,7 +1172,7 @@ GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
 
 // Three octaves of fine grain, the tone, and the first two waves.
 GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(0.8), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
@@ -1258,7 +1258,7 @@ GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, uint seed) {
-    if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
+    if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 9);
     float3 vein = i == 4 ? float3(1.9, 0.95, -0.45) : i == 5 ? float3(0.95, 0.85, 0.65)
               : i == 6 ? float3(4.5, 0.95, 0.95) : float3(13.0, 0.9, 0.2);
@@ -1310,7 +1310,7 @@ GaborPixel gabor_impl_dune(GaborPixel pixel, uint seed) {
 
 // Three octaves of large shapes, grains, and ripples.
 GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
@@ -1319,7 +1319,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     float2 z = float2(of.c.first.x, of.c.second.x);
     float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.c.removed, span = 0.9 * sqrt(power / whole);
     float2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
-    float3 phase = float3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
+    float3 phase = float3(gabor_turns_intensity(z.yx).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
     float3 ripple = gabor_impl_rise(phase, span * float3(1.0, (1.0 / power - 1.0 / whole) * change));
     float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
                + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
@@ -1356,7 +1356,7 @@ GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) 
 
 // Five sizes of streaks, and six octaves of patina.
 GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
-    if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5));
     float2 density = float2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
@@ -1454,7 +1454,7 @@ GaborPixel gabor_impl_hide(GaborPixel pixel, uint seed) {
 
 float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, (float2)(0.6));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1501,7 +1501,7 @@ GaborPixel gabor_impl_trunk(GaborPixel pixel, uint seed) {
 GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, uint seed) {
     GaborPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
-    if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
+    if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
     return gabor_impl_waves_layer(3, trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
@@ -1559,7 +1559,7 @@ GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, uint seed) {
     if (i < 4)
-        return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_derived_seed(seed, 7));
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
                  : i == 6 ? float2(0.25, 2.8333333) : float2(0.6, 8.3333333);
     return gabor_impl_spots_layer(i - 3, rock, density * float2(1.0, strata.layers), seed, i - 1);

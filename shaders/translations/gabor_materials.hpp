@@ -282,7 +282,7 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
     gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    gabor_vec2 stretch = scale * place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
@@ -298,7 +298,7 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel at, gabor_vec2 density, gabor
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
     amplitude /= 1.0f + 0.82246703f * size;
-    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
     return GaborPixel{at.p + amplitude * gabor_vec2(field.quadrature, field.noise),
@@ -364,19 +364,19 @@ struct GaborLayer {
 
 // A layer of frequency 0.
 GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
-    return GaborLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
+    return GaborLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_derived_seed(seed, index)};
 }
 
 GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
                                   int index) {
-    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_lobe_seed(seed, index)};
+    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_derived_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 GABOR_INLINE GaborLayer gabor_impl_octave(GaborPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
     return GaborLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f), gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power),
-                      gabor_lobe_seed(seed, i)};
+                      gabor_derived_seed(seed, i)};
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -556,7 +556,7 @@ GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, 
 
 // The same as gabor_field_filtered with the wave vector 0.
 GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(gabor_vec2(0.0f), footprint.covariance);
     float amplitude = gabor_cpp_sqrt(kept / gabor_impl_transmitted(gabor_vec2(0.0f), footprint.resolved));
@@ -950,7 +950,7 @@ GABOR_INLINE GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, 
 
 // Three octaves of fine grain, the tone, and the first two waves.
 GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborPixel skin, GaborLeather leather, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
@@ -1036,7 +1036,7 @@ GABOR_INLINE GaborPixel gabor_impl_stone(GaborPixel pixel, GaborMarble marble, s
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel stone, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_lobe_seed(seed, 8));
+    if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_derived_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 9);
     gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
               : i == 6 ? gabor_vec3(4.5f, 0.95f, 0.95f) : gabor_vec3(13.0f, 0.9f, 0.2f);
@@ -1088,7 +1088,7 @@ GABOR_INLINE GaborPixel gabor_impl_dune(GaborPixel pixel, std::uint32_t seed) {
 
 // Three octaves of large shapes, grains, and ripples.
 GABOR_INLINE GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborPixel dune, GaborSand sand, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 3);
     return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
 }
@@ -1097,7 +1097,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec2 z = gabor_vec2(of.c.first.x, of.c.second.x);
     float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.c.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
     gabor_vec2 change = z.x * of.c.first.yz() + z.y * of.c.second.yz(); // half the derivative of the power
-    gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.c.second.yz() - z.y * of.c.first.yz()));
+    gabor_vec3 phase = gabor_vec3(gabor_turns_intensity(z.yx()).x, 0.15915494f / power * (z.x * of.c.second.yz() - z.y * of.c.first.yz()));
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
     gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
                + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
@@ -1134,7 +1134,7 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
 
 // Five sizes of streaks, and six octaves of patina.
 GABOR_INLINE GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
-    if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_derived_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
@@ -1232,7 +1232,7 @@ GABOR_INLINE GaborPixel gabor_impl_hide(GaborPixel pixel, std::uint32_t seed) {
 
 GABOR_INLINE float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1279,7 +1279,7 @@ GABOR_INLINE GaborPixel gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) {
 GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborPixel trunk, GaborBark bark, std::uint32_t seed) {
     GaborPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
-    if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_lobe_seed(seed, 5));
+    if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_derived_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
     return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
@@ -1337,7 +1337,7 @@ GABOR_INLINE GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, st
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborPixel rock, GaborStrata strata, std::uint32_t seed) {
     if (i < 4)
-        return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_derived_seed(seed, 7));
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
                  : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
     return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);

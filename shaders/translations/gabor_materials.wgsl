@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d47f3b8a24ec1535.
+// naga 30.0.1 made it from GLSL with the digest 1bd760791cb1b57a.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -324,7 +324,7 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     var y_11: vec4<f32>;
     var slope_x_1: vec4<f32>;
     var slope_y_1: vec4<f32>;
-    var value_12: vec2<f32> = vec2(0f);
+    var value_11: vec2<f32> = vec2(0f);
     var slope_10: vec4<f32> = vec4(0f);
     var local_25: f32;
     var scale_1: f32;
@@ -352,21 +352,21 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     let _e77 = slope_x_1;
     let _e78 = y_11;
     let _e80 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
+    gabor_impl_add_spots((&value_11), (&slope_10), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
     let _e86 = columns_5;
     let _e87 = rows_3;
     let _e90 = x_14;
     let _e91 = slope_x_1;
     let _e92 = y_11;
     let _e94 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
+    gabor_impl_add_spots((&value_11), (&slope_10), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
     let _e100 = columns_5;
     let _e101 = rows_3;
     let _e104 = x_14;
     let _e105 = slope_x_1;
     let _e106 = y_11;
     let _e108 = slope_y_1;
-    gabor_impl_add_spots((&value_12), (&slope_10), (_e100 * _e101.z), _e104, _e105, _e106.z, _e108.z);
+    gabor_impl_add_spots((&value_11), (&slope_10), (_e100 * _e101.z), _e104, _e105, _e106.z, _e108.z);
     if false {
         local_25 = 1f;
     } else {
@@ -375,13 +375,13 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     let _e123 = local_25;
     scale_1 = (1f / (1459955300000000000000000000f * _e123));
     let _e127 = scale_1;
-    stretch_6 = ((_e127 * place.radius) / vec2(1.5f));
+    stretch_6 = ((_e127 * place.cells_per_radius) / vec2(1.5f));
     let _e137 = scale_1;
-    let _e138 = value_12;
+    let _e138 = value_11;
     let _e141 = stretch_6;
     let _e142 = slope_10;
     let _e145 = scale_1;
-    let _e146 = value_12;
+    let _e146 = value_11;
     let _e149 = stretch_6;
     let _e150 = slope_10;
     return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
@@ -417,7 +417,7 @@ fn gabor_impl_warp(at: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, see
     let _e25 = size;
     amplitude_5 = (_e22 / vec2((1f + (0.822467f * _e25))));
     let _e30 = gabor_impl_place(at, density);
-    let _e31 = gabor_lobe_seed(seed, index);
+    let _e31 = gabor_derived_seed(seed, index);
     let _e32 = gabor_impl_spots(_e30, _e31);
     field_10 = _e32;
     let _e34 = amplitude_5;
@@ -586,13 +586,13 @@ struct GaborLayer {
 
 // A layer of frequency 0.
 fn gabor_impl_spots_layer(slot: i32, at: GaborPixel, density: vec2<f32>, seed: u32, index: i32) -> GaborLayer {
-    let _e8 = gabor_lobe_seed(seed, index);
+    let _e8 = gabor_derived_seed(seed, index);
     return GaborLayer(slot, at, density, vec2(0f), 1f, _e8);
 }
 
 fn gabor_impl_waves_layer(slot: i32, at: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborLayer {
     let _e7 = gabor_wave_vector(frequency, orientation);
-    let _e9 = gabor_lobe_seed(seed, index);
+    let _e9 = gabor_derived_seed(seed, index);
     return GaborLayer(slot, at, density, _e7, 1f, _e9);
 }
 
@@ -601,7 +601,7 @@ fn gabor_impl_octave(at: GaborPixel, density: vec2<f32>, i: i32, count: i32, gai
     var power_5: f32;
     power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
     let _e27 = power_5;
-    let _e30 = gabor_lobe_seed(seed, i);
+    let _e30 = gabor_derived_seed(seed, i);
     return GaborLayer(0i, at, (density * exp2((1.0214797f * f32(i)))), vec2(0f), (pow(gain, f32(i)) * inverseSqrt(_e27)), _e30);
 }
 
@@ -708,7 +708,7 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     var t_8: vec2<f32>;
     var fade_5: vec2<f32>;
     var change_1: vec2<f32>;
-    var value_14: vec4<f32>;
+    var value_13: vec4<f32>;
     var slope_12: vec4<f32>;
     zero_3 = floor((local + 0.5f));
     let _e9 = zero_3;
@@ -728,20 +728,20 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     let _e63 = t_8;
     change_1 = ((((6f / _e58) * _e60) * (vec2(1f) - _e63)) * vec2<f32>(-1f, 1f));
     let _e75 = offset_1;
-    gabor_impl_windows(_e75, (&value_14), (&slope_12));
+    gabor_impl_windows(_e75, (&value_13), (&slope_12));
     let _e80 = zero_3;
     let _e85 = gabor_impl_three_line_words(((cell + i32(_e80)) - 1i), period, salt);
-    let _e86 = value_14;
+    let _e86 = value_13;
     let _e88 = slope_12;
     let _e90 = damped_1;
     let _e91 = fade_5;
     let _e93 = change_1;
     let _e96 = gabor_impl_spots_node(_e86.x, _e88.x, _e90, vec2<f32>(_e91.x, _e93.x));
-    let _e97 = value_14;
+    let _e97 = value_13;
     let _e99 = slope_12;
     let _e101 = damped_1;
     let _e105 = gabor_impl_spots_node(_e97.y, _e99.y, _e101, vec2<f32>(1f, 0f));
-    let _e106 = value_14;
+    let _e106 = value_13;
     let _e108 = slope_12;
     let _e110 = damped_1;
     let _e111 = fade_5;
@@ -857,7 +857,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var x_2_: GaborSpotsLine;
     var x_3_: GaborSpotsLine;
     var x_4_: GaborSpotsLine;
-    var value_15: vec2<f32> = vec2(0f);
+    var value_14: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
     var next_y_1: vec2<f32> = vec2(0f);
     var edge_x_1: vec2<f32> = vec2(0f);
@@ -958,10 +958,10 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
             let _e184 = w;
             let _e185 = row_8;
             sum_18 = vec2<f32>(dot(_e180, _e181.real), dot(_e184, _e185.imaginary));
-            let _e190 = value_15;
+            let _e190 = value_14;
             let _e191 = y_15;
             let _e194 = sum_18;
-            value_15 = (_e190 + (_e191.fade.x * _e194));
+            value_14 = (_e190 + (_e191.fade.x * _e194));
             let _e197 = next_x_1;
             let _e198 = y_15;
             let _e201 = w;
@@ -1023,12 +1023,12 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e325 = local_33;
     scale_2 = (sqrt((1f - (_e310 * _e311))) / (1459955300000000000000000000f * _e325));
     let _e329 = scale_2;
-    let _e330 = value_15;
+    let _e330 = value_14;
     let _e333 = scale_2;
     let _e334 = x_19;
     let _e336 = y_16;
     let _e340 = scale_2;
-    let _e341 = value_15;
+    let _e341 = value_14;
     let _e344 = scale_2;
     let _e345 = x_19;
     let _e347 = y_16;
@@ -1087,7 +1087,7 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
     var amplitude_7: f32;
     var sum_20: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var salt_15: u32;
-    stretch_7 = (place.radius / vec2(1.5f));
+    stretch_7 = (place.cells_per_radius / vec2(1.5f));
     let _e12 = stretch_7;
     let _e14 = stretch_7;
     let _e16 = gabor_impl_footprint((_e12 * dx), (_e14 * dy));
@@ -2484,7 +2484,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather, seed: u32) -> GaborLayer {
     var local_61: f32;
     if (i < 3i) {
-        let _e12 = gabor_lobe_seed(seed, 4i);
+        let _e12 = gabor_derived_seed(seed, 4i);
         let _e13 = gabor_impl_octave(pixel, vec2(18f), i, 3i, 0.75f, _e12);
         return _e13;
     }
@@ -2802,7 +2802,7 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborPixel, seed: u
     var local_65: i32;
     var local_66: i32;
     if (i < 3i) {
-        let _e11 = gabor_lobe_seed(seed, 8i);
+        let _e11 = gabor_derived_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
         return _e12;
     }
@@ -3058,7 +3058,7 @@ fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborPixel {
 // Three octaves of large shapes, grains, and ripples.
 fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborPixel, sand: GaborSand, seed: u32) -> GaborLayer {
     if (i < 3i) {
-        let _e12 = gabor_lobe_seed(seed, 4i);
+        let _e12 = gabor_derived_seed(seed, 4i);
         let _e13 = gabor_impl_octave(pixel, vec2(0.6f), i, 3i, 0.5f, _e12);
         return _e13;
     }
@@ -3101,67 +3101,67 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e37 = z_1;
     change_5 = ((_e31.x * of_.c.first.yz) + (_e37.y * of_.c.second.yz));
     let _e45 = z_1;
-    let _e46 = gabor_phasor(_e45);
-    let _e49 = power_7;
-    let _e51 = z_1;
-    let _e57 = z_1;
-    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.c.second.yz) - (_e57.y * of_.c.first.yz)));
-    phase_10 = vec3<f32>(_e46.x, _e64.x, _e64.y);
-    let _e69 = phase_10;
-    let _e70 = span_3;
-    let _e73 = power_7;
-    let _e76 = whole_3;
-    let _e79 = change_5;
-    let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
-    let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
-    ripple = _e85;
-    let _e93 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
-    let _e100 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
-    tones_2 = (_e93 + _e100);
-    let _e104 = tones_2;
-    let _e105 = gabor_impl_toned(sand.trough, _e104);
-    let _e107 = tones_2;
-    let _e108 = gabor_impl_toned(sand.crest, _e107);
-    let _e109 = ripple;
-    colour_7 = mix(_e105, _e108, vec3(_e109.x));
-    let _e120 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
-    dark = _e120.x;
-    let _e130 = gabor_impl_above(-(of_.b.second), of_.b.removed, 1.9f, 0.15f);
-    bright = _e130.x;
-    let _e133 = colour_7;
-    let _e140 = dark;
-    colour_7 = mix(_e133, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e140)));
-    let _e144 = colour_7;
-    let _e154 = bright;
-    colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
+    let _e47 = gabor_turns_intensity(_e45.yx);
+    let _e50 = power_7;
+    let _e52 = z_1;
+    let _e58 = z_1;
+    let _e65 = ((0.15915494f / _e50) * ((_e52.x * of_.c.second.yz) - (_e58.y * of_.c.first.yz)));
+    phase_10 = vec3<f32>(_e47.x, _e65.x, _e65.y);
+    let _e70 = phase_10;
+    let _e71 = span_3;
+    let _e74 = power_7;
+    let _e77 = whole_3;
+    let _e80 = change_5;
+    let _e81 = (((1f / _e74) - (1f / _e77)) * _e80);
+    let _e86 = gabor_impl_rise(_e70, (_e71 * vec3<f32>(1f, _e81.x, _e81.y)));
+    ripple = _e86;
+    let _e94 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
+    let _e101 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
+    tones_2 = (_e94 + _e101);
+    let _e105 = tones_2;
+    let _e106 = gabor_impl_toned(sand.trough, _e105);
+    let _e108 = tones_2;
+    let _e109 = gabor_impl_toned(sand.crest, _e108);
+    let _e110 = ripple;
+    colour_7 = mix(_e106, _e109, vec3(_e110.x));
+    let _e121 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
+    dark = _e121.x;
+    let _e131 = gabor_impl_above(-(of_.b.second), of_.b.removed, 1.9f, 0.15f);
+    bright = _e131.x;
+    let _e134 = colour_7;
+    let _e141 = dark;
+    colour_7 = mix(_e134, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e141)));
+    let _e145 = colour_7;
+    let _e155 = bright;
+    colour_7 = mix(_e145, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e155)));
     tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
-    let _e170 = ripple;
-    let _e171 = tall;
-    let _e172 = gabor_impl_times(_e170, _e171);
-    height_6 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
+    let _e171 = ripple;
+    let _e172 = tall;
+    let _e173 = gabor_impl_times(_e171, _e172);
+    height_6 = ((_e173 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
     wave_19 = (ripples.density * ripples.wave);
-    let _e190 = wave_19;
-    let _e194 = wave_19;
-    wave_19 = vec2<f32>(dot(_e190, ripples.at.x), dot(_e194, ripples.at.y));
-    let _e203 = ((0.4f * ripples.density) * ripples.density);
-    bent = vec3<f32>(_e203.x, _e203.y, 0f);
-    let _e209 = wave_19;
-    let _e210 = gabor_impl_square(_e209);
-    let _e211 = bent;
-    let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
-    square_6 = (_e210 + _e216);
-    let _e219 = tall;
-    let _e221 = tall;
-    let _e224 = phase_10;
-    let _e226 = span_3;
-    let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
-    let _e230 = square_6;
-    lost_9 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
-    let _e247 = colour_7;
-    let _e248 = height_6;
-    let _e249 = lost_9;
-    let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
-    return _e252;
+    let _e191 = wave_19;
+    let _e195 = wave_19;
+    wave_19 = vec2<f32>(dot(_e191, ripples.at.x), dot(_e195, ripples.at.y));
+    let _e204 = ((0.4f * ripples.density) * ripples.density);
+    bent = vec3<f32>(_e204.x, _e204.y, 0f);
+    let _e210 = wave_19;
+    let _e211 = gabor_impl_square(_e210);
+    let _e212 = bent;
+    let _e217 = gabor_impl_turned_square(_e212, ripples.at.x, ripples.at.y);
+    square_6 = (_e211 + _e217);
+    let _e220 = tall;
+    let _e222 = tall;
+    let _e225 = phase_10;
+    let _e227 = span_3;
+    let _e229 = gabor_impl_rise_lost(_e225.x, _e227, 0.9f);
+    let _e231 = square_6;
+    lost_9 = (((((_e220.x * _e222.x) * _e229) * _e231) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
+    let _e248 = colour_7;
+    let _e249 = height_6;
+    let _e250 = lost_9;
+    let _e253 = gabor_impl_material(_e248, _e249, _e250, sand.roughness, 0f);
+    return _e253;
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
@@ -3218,7 +3218,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
     var density_7: vec2<f32>;
     if (i >= 5i) {
-        let _e13 = gabor_lobe_seed(seed, 5i);
+        let _e13 = gabor_derived_seed(seed, 5i);
         let _e14 = gabor_impl_octave(pixel, vec2(1.3f), (i - 5i), 6i, 0.75f, _e13);
         return _e14;
     }
@@ -3473,7 +3473,7 @@ fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32)
     let _e5 = gabor_impl_place(pixel, vec2(0.6f));
     place_19 = _e5;
     let _e9 = place_19;
-    let _e11 = gabor_lobe_seed(seed, 1i);
+    let _e11 = gabor_derived_seed(seed, 1i);
     let _e12 = gabor_impl_spots(_e9, _e11);
     return (zebra.direction + (zebra.bends * _e12.quadrature));
 }
@@ -3590,7 +3590,7 @@ fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborPixel, bark: Gab
     }
     if (i < 5i) {
         let _e13 = at_17;
-        let _e20 = gabor_lobe_seed(seed, 5i);
+        let _e20 = gabor_derived_seed(seed, 5i);
         let _e21 = gabor_impl_octave(_e13, vec2<f32>(7f, 3.5f), i, 5i, 0.7f, _e20);
         return _e21;
     }
@@ -3787,7 +3787,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborPixel, strata: 
     var local_82: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
-        let _e13 = gabor_lobe_seed(seed, 7i);
+        let _e13 = gabor_derived_seed(seed, 7i);
         let _e14 = gabor_impl_octave(pixel, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e13);
         return _e14;
     }

@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 605340f57d4d3648.
+// naga 30.0.1 made it from GLSL with the digest b69ef63e0b43ea13.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -11,7 +11,7 @@
 //     a texture that repeats                   gabor_noise_tiled
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
-//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -19,7 +19,7 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//     p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
@@ -40,21 +40,21 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
 //     The noise, with continuous first derivatives.
 
-// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
-//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of the time: a f32 has so few digits
-//     at 1000 that the noise errs by 4e-4.
+// f32 gabor_noise_animated(vec2f p, f32 evolution, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1; 0 gives gabor_noise. Values t apart have the
+//     correlation cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of a large evolution: a f32
+//     has so few digits at 1000 that the noise errs by 4e-4.
 
 // vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
-// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are independent and have variance 1.
+// vec2f gabor_noise_quadrature(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary and
+//     the real part of a complex noise. At each point they are independent and have variance 1.
 
-// vec2f gabor_phasor(vec2f value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// vec2f gabor_turns_intensity(vec2f noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // vec3f gabor_stripes(vec2f p, vec2f wave, f32 sharpness, u32 seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -64,26 +64,26 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // f32 gabor_unorm(f32 noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// u32 gabor_lobe_seed(u32 seed, i32 index)
-//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
+// u32 gabor_derived_seed(u32 seed, i32 index)
+//     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with one seed,
 //     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- Any position, wave vector, period and time --------------------------------------------------------------------
+// ---- Any position, wave vector, period and evolution --------------------------------------------------------------------
 
-// A position in node spacings of the lattice, with a period and a time.
+// A position in node spacings of the lattice, with a period and an evolution.
 struct GaborPlace {
     cell: vec2<i32>, // any integers except the last few before 2^31, where the world wraps around
     local: vec2<f32>, // offset from that cell's corner in node spacings, most precise in [0, 1)^2
-    radius: vec2<f32>, // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
+    cells_per_radius: vec2<f32>, // along each axis: GABOR_CELLS_PER_RADIUS, or slightly different to fit a period
     period: vec2<i32>, // period in nodes, 0 for none
-    moment: f32, // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
+    evolution: f32, // as in gabor_noise_animated, in turns. Set it after calling a constructor, which sets 0
 }
 
 // GaborPlace gabor_place_at(vec2f p)
 //     The position p, in kernel radii.
 
 // GaborPlace gabor_place(vec2i cell, vec2f local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
 //     axis.
 
 // GaborPlace gabor_place_tiled(vec2f p, vec2f period)
@@ -94,7 +94,7 @@ struct GaborPlace {
 // vec2f gabor_wave_vector(f32 frequency, f32 orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost nothing.
 struct GaborField {
     noise: f32,
     gradient: vec2<f32>,
@@ -114,8 +114,8 @@ struct GaborField {
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_k, y_j) of a square lattice with R = GABOR_RADIUS nodes per kernel radius have independent, normal,
-// complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// The nodes (x_k, y_j) of a square lattice with R = GABOR_CELLS_PER_RADIUS nodes per kernel radius have independent,
+// normal, complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
 //
 //     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
@@ -153,7 +153,7 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e17 ^ (_e18 >> 15u));
 }
 
-fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+fn gabor_derived_seed(seed: u32, index: i32) -> u32 {
     let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
     return _e7;
 }
@@ -433,23 +433,23 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return _e147;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
+// The amplitude of a node at an evolution. It is a weighted sum of three amplitudes, from the node's word and two words derived
+// from it. The squared weights sum to 1; at evolution 0 the weights are 1, 0, 0. A return within the branch would take FXC
 // four times as long through ANGLE.
-fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
+fn gabor_impl_amplitude_at(word: u32, evolution: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second_1: u32;
     var third_1: u32;
     var turn_2: vec2<f32>;
     let _e2 = gabor_impl_amplitude(word);
     amplitude = _e2;
-    if (moment != 0f) {
+    if (evolution != 0f) {
         {
             second_1 = ((word ^ (word >> 15u)) * 3545902487u);
             let _e12 = second_1;
             let _e13 = second_1;
             third_1 = ((_e12 ^ (_e13 >> 15u)) * 3545902487u);
-            let _e20 = gabor_impl_wave(moment);
+            let _e20 = gabor_impl_wave(evolution);
             turn_2 = _e20;
             let _e24 = turn_2;
             let _e28 = amplitude;
@@ -469,18 +469,18 @@ fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, moment: f32) {
+fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, evolution: f32) {
     var row: vec4<f32> = vec4(0f);
-    let _e19 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), moment);
+    let _e19 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), evolution);
     gabor_impl_add_products((&row), x.node[0], _e19);
-    let _e31 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), moment);
+    let _e31 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), evolution);
     gabor_impl_add_products((&row), x.node[1], _e31);
     if true {
-        let _e46 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), moment);
+        let _e46 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), evolution);
         gabor_impl_add_products((&row), x.node[2], _e46);
     }
     if false {
-        let _e61 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), moment);
+        let _e61 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), evolution);
         gabor_impl_add_products((&row), x.node[3], _e61);
     }
     if ((true && (j != 1i)) || (x.offset < 8f)) {
@@ -496,17 +496,17 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, v
     }
 }
 
-fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, evolution: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     let _e6 = vec4(0f);
     (*slope) = _e6;
     (*sum) = _e6;
-    gabor_impl_add_node_row(sum, slope, x, y, 0i, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1i, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 0i, evolution);
+    gabor_impl_add_node_row(sum, slope, x, y, 1i, evolution);
     if true {
-        gabor_impl_add_node_row(sum, slope, x, y, 2i, moment);
+        gabor_impl_add_node_row(sum, slope, x, y, 2i, evolution);
     }
     if false {
-        gabor_impl_add_node_row(sum, slope, x, y, 3i, moment);
+        gabor_impl_add_node_row(sum, slope, x, y, 3i, evolution);
         return;
     } else {
         return;
@@ -569,13 +569,13 @@ fn gabor_field(place: GaborPlace, wave: vec2<f32>, seed: u32) -> GaborField {
     salt_3 = _e11;
     let _e19 = salt_3;
     let _e20 = wave_3;
-    let _e24 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e19, _e20.x, place.radius.x);
+    let _e24 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e19, _e20.x, place.cells_per_radius.x);
     x_4 = _e24;
     let _e26 = salt_3;
     salt_3 = (_e26 ^ 1540483477u);
     let _e35 = salt_3;
     let _e36 = wave_3;
-    let _e40 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e35, _e36.y, place.radius.y);
+    let _e40 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e35, _e36.y, place.cells_per_radius.y);
     y_3 = _e40;
     let _e42 = x_4;
     let _e44 = x_4;
@@ -585,12 +585,12 @@ fn gabor_field(place: GaborPlace, wave: vec2<f32>, seed: u32) -> GaborField {
     turn_5 = _e53;
     let _e57 = x_4;
     let _e58 = y_3;
-    gabor_impl_sum(_e57, _e58, place.moment, (&sum_3), (&slope_5));
+    gabor_impl_sum(_e57, _e58, place.evolution, (&sum_3), (&slope_5));
     let _e64 = sum_3;
     let _e65 = slope_5;
     let _e66 = turn_5;
     let _e67 = wave_3;
-    let _e75 = gabor_impl_field(_e64, _e65, _e66, _e67, (place.radius / vec2(1.5f)));
+    let _e75 = gabor_impl_field(_e64, _e65, _e66, _e67, (place.cells_per_radius / vec2(1.5f)));
     return _e75;
 }
 
@@ -649,7 +649,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
         local_6 = 1.5f;
     }
     let _e57 = local_6;
-    place_1.radius = vec2<f32>(_e43, _e57);
+    place_1.cells_per_radius = vec2<f32>(_e43, _e57);
     if (period.x > 0f) {
         let _e63 = nodes;
         local_7 = i32(_e63.x);
@@ -666,7 +666,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     let _e77 = local_8;
     place_1.period = vec2<i32>(_e68, _e77);
     let _e80 = place_1;
-    place_1.local = (p * _e80.radius);
+    place_1.local = (p * _e80.cells_per_radius);
     let _e83 = place_1;
     return _e83;
 }
@@ -690,11 +690,11 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e7.noise;
 }
 
-fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+fn gabor_noise_animated(p: vec2<f32>, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
     let _e5 = gabor_place_at(p);
     place_2 = _e5;
-    place_2.moment = moment;
+    place_2.evolution = evolution;
     let _e8 = place_2;
     let _e9 = gabor_wave_vector(frequency, orientation);
     let _e10 = gabor_field(_e8, _e9, seed);
@@ -712,7 +712,7 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     return vec3<f32>(_e8.noise, _e10.gradient.x, _e10.gradient.y);
 }
 
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+fn gabor_noise_quadrature(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_2: GaborField;
     let _e4 = gabor_place_at(p);
     let _e5 = gabor_wave_vector(frequency, orientation);
@@ -720,53 +720,53 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     field_2 = _e6;
     let _e8 = field_2;
     let _e10 = field_2;
-    return vec2<f32>(_e8.quadrature, _e10.noise);
+    return vec2<f32>(_e8.noise, _e10.quadrature);
 }
 
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+fn gabor_turns_intensity(noise_quadrature: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_9: f32;
     var phase: f32;
     var local_10: f32;
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_9 = (atan2(value.y, value.x) * 0.15915494f);
+    intensity = length(noise_quadrature.yx);
+    let _e4 = intensity;
+    if (_e4 > 0f) {
+        local_9 = (atan2(noise_quadrature.x, noise_quadrature.y) * 0.15915494f);
     } else {
         local_9 = 0f;
     }
-    let _e13 = local_9;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_10 = min((_e18 + 1f), 0.99999994f);
+    let _e14 = local_9;
+    phase = _e14;
+    let _e16 = phase;
+    if (_e16 < 0f) {
+        let _e19 = phase;
+        local_10 = min((_e19 + 1f), 0.99999994f);
     } else {
-        let _e23 = phase;
-        local_10 = _e23;
+        let _e24 = phase;
+        local_10 = _e24;
     }
-    let _e25 = local_10;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
+    let _e26 = local_10;
+    let _e27 = intensity;
+    return vec2<f32>(_e26, _e27);
 }
 
 // For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
 // v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
 fn gabor_stripes_of(field: GaborField, sharpness: f32) -> vec3<f32> {
-    var value_4: vec2<f32>;
+    var value_3: vec2<f32>;
     var power: f32;
     var removed: f32;
     var reach: f32;
-    value_4 = vec2<f32>(field.quadrature, field.noise);
-    let _e6 = value_4;
-    let _e7 = value_4;
+    value_3 = vec2<f32>(field.quadrature, field.noise);
+    let _e6 = value_3;
+    let _e7 = value_3;
     power = dot(_e6, _e7);
     removed = max(field.removed, 0f);
     let _e14 = power;
     let _e16 = removed;
     reach = sqrt((_e14 + (2.546479f * _e16)));
     let _e21 = reach;
-    let _e26 = value_4;
+    let _e26 = value_3;
     let _e27 = ((sharpness / max((sharpness * _e21), 1f)) * _e26);
     let _e28 = power;
     let _e30 = removed;

@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest aa4e6ff2ac4ec57e.
+// naga 30.0.1 made it from GLSL with the digest f92767f11ae5e779.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
@@ -14,7 +14,7 @@
 //     the same without a direction             gabor_noise_3d_isotropic
 //     noise along a direction on any mesh      gabor_noise_surface
 //     the same without a direction             gabor_field_surface_isotropic
-//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     derivatives, periods, an evolution       a place, then gabor_field_3d and so on
 //     noise averaged over a pixel              gabor_filter_3d.wgsl
 //
 // Arguments of all functions, besides those of gabor_noise.wgsl:
@@ -25,13 +25,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
 struct GaborPlace3d {
     cell: vec3<i32>,
     local: vec3<f32>,
-    radius: vec3<f32>,
+    cells_per_radius: vec3<f32>,
     period: vec3<i32>,
-    moment: f32,
+    evolution: f32,
 }
 
 // GaborPlace3d gabor_place_3d_at(vec3f p)
@@ -98,7 +98,7 @@ fn gabor_place_3d_tiled(p: vec3<f32>, period: vec3<f32>) -> GaborPlace3d {
     let _e22 = z_1;
     let _e28 = xy;
     let _e30 = z_1;
-    return GaborPlace3d(vec3(0i), vec3<f32>(_e12.local.x, _e12.local.y, _e14.local.x), vec3<f32>(_e20.radius.x, _e20.radius.y, _e22.radius.x), vec3<i32>(_e28.period.x, _e28.period.y, _e30.period.x), 0f);
+    return GaborPlace3d(vec3(0i), vec3<f32>(_e12.local.x, _e12.local.y, _e14.local.x), vec3<f32>(_e20.cells_per_radius.x, _e20.cells_per_radius.y, _e22.cells_per_radius.x), vec3<i32>(_e28.period.x, _e28.period.y, _e30.period.x), 0f);
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
@@ -142,7 +142,7 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-fn gabor_impl_sum_slice(x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+fn gabor_impl_sum_slice(x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, evolution: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     var y_5: GaborAxis;
     var j_1: i32 = 0i;
     y_5 = y;
@@ -162,16 +162,16 @@ fn gabor_impl_sum_slice(x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment
         }
     }
     let _e27 = y_5;
-    gabor_impl_sum(x, _e27, moment, sum, slope);
+    gabor_impl_sum(x, _e27, evolution, sum, slope);
     return;
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, moment: f32) {
+fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, evolution: f32) {
     var slice_1: vec4<f32>;
     var slope_7: vec4<f32>;
-    gabor_impl_sum_slice(x, y, z, k, moment, (&slice_1), (&slope_7));
+    gabor_impl_sum_slice(x, y, z, k, evolution, (&slice_1), (&slope_7));
     let _e14 = slice_1;
     gabor_impl_add_products(sum, _e14, z.node[k].xy);
     let _e19 = (*slopes);
@@ -235,8 +235,8 @@ fn gabor_impl_field_3d(sum: vec4<f32>, slopes: vec4<f32>, turn: vec2<f32>, wave:
     return GaborField3d(_e59.y, (vec3<f32>(_e61.w, _e63.y, _e65.w) + ((6.2831855f * _e69.x) * wave)), _e74.x, (vec3<f32>(_e76.z, _e78.x, _e80.z) - ((6.2831855f * _e84.y) * wave)), 0f);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
+// With periods, nodes are not 1 / GABOR_CELLS_PER_RADIUS kernel radii apart, so all lengths here are in units of
+// GABOR_CELLS_PER_RADIUS node spacings.
 fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
     var wave_7: vec3<f32>;
     var stretch_3: vec3<f32>;
@@ -249,7 +249,7 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
     var slopes_3: vec4<f32> = vec4(0f);
     var field_5: GaborField3d;
     wave_7 = wave;
-    stretch_3 = (place.radius / vec3(1.5f));
+    stretch_3 = (place.cells_per_radius / vec3(1.5f));
     let _e12 = wave_7;
     let _e19 = stretch_3;
     wave_7 = (clamp(_e12, vec3(-1000000f), vec3(1000000f)) / _e19);
@@ -278,15 +278,15 @@ fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField
     let _e99 = x_7;
     let _e100 = y_7;
     let _e101 = z_4;
-    gabor_impl_add_slice((&sum_10), (&slopes_3), _e99, _e100, _e101, 0i, place.moment);
+    gabor_impl_add_slice((&sum_10), (&slopes_3), _e99, _e100, _e101, 0i, place.evolution);
     let _e108 = x_7;
     let _e109 = y_7;
     let _e110 = z_4;
-    gabor_impl_add_slice((&sum_10), (&slopes_3), _e108, _e109, _e110, 1i, place.moment);
+    gabor_impl_add_slice((&sum_10), (&slopes_3), _e108, _e109, _e110, 1i, place.evolution);
     let _e117 = x_7;
     let _e118 = y_7;
     let _e119 = z_4;
-    gabor_impl_add_slice((&sum_10), (&slopes_3), _e117, _e118, _e119, 2i, place.moment);
+    gabor_impl_add_slice((&sum_10), (&slopes_3), _e117, _e118, _e119, 2i, place.evolution);
     let _e124 = sum_10;
     let _e125 = slopes_3;
     let _e126 = turn_8;
@@ -418,7 +418,7 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
             power_1 = _e62;
             let _e65 = wave_8;
             let _e66 = i;
-            let _e67 = gabor_lobe_seed(seed, _e66);
+            let _e67 = gabor_derived_seed(seed, _e66);
             let _e68 = gabor_field_3d(place, _e65, _e67);
             let _e69 = power_1;
             gabor_impl_add_field_3d((&sum_11), _e68, sqrt(_e69), vec3(1f));
@@ -555,28 +555,28 @@ fn gabor_impl_star_3d(tangents: GaborTangents, d: vec3<f32>, word: u32) -> Gabor
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
 // to the point.
-fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, wave: vec4<f32>, moment: f32, word: u32) {
+fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4<f32>, wave: vec4<f32>, evolution: f32, word: u32) {
     var a_2: vec2<f32>;
-    var value_5: vec2<f32>;
-    let _e5 = gabor_impl_amplitude_at(word, moment);
+    var value_4: vec2<f32>;
+    let _e5 = gabor_impl_amplitude_at(word, evolution);
     let _e7 = gabor_impl_wave(wave.w);
     let _e8 = gabor_impl_product(_e5, _e7);
     a_2 = _e8;
     let _e11 = a_2;
-    value_5 = (window.w * _e11);
+    value_4 = (window.w * _e11);
     let _e15 = (*sum);
-    let _e17 = value_5;
+    let _e17 = value_4;
     (*sum).noise = (_e15.noise + _e17.y);
     let _e21 = (*sum);
     let _e23 = a_2;
-    let _e28 = value_5;
+    let _e28 = value_4;
     (*sum).gradient = (_e21.gradient + ((_e23.y * window.xyz) + ((6.2831855f * _e28.x) * wave.xyz)));
     let _e36 = (*sum);
-    let _e38 = value_5;
+    let _e38 = value_4;
     (*sum).quadrature = (_e36.quadrature + _e38.x);
     let _e42 = (*sum);
     let _e44 = a_2;
-    let _e49 = value_5;
+    let _e49 = value_4;
     (*sum).quadrature_gradient = (_e42.quadrature_gradient + ((_e44.x * window.xyz) - ((6.2831855f * _e49.y) * wave.xyz)));
     return;
 }
@@ -630,7 +630,7 @@ fn gabor_impl_node_word(axis: GaborAxis, i: i32) -> u32 {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, y: GaborNode, z: GaborNode, scale: vec3<f32>, moment: f32, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, y: GaborNode, z: GaborNode, scale: vec3<f32>, evolution: f32, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var d_1: vec3<f32>;
     var star: GaborStar3d;
     var window_1: vec4<f32>;
@@ -644,23 +644,23 @@ fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborNode, 
     let _e49 = window_1;
     let _e50 = unit;
     let _e51 = star;
-    gabor_impl_add_wave_3d(sum, _e49, (_e50 * _e51.u), moment, (column * row.x));
+    gabor_impl_add_wave_3d(sum, _e49, (_e50 * _e51.u), evolution, (column * row.x));
     let _e58 = window_1;
     let _e59 = unit;
     let _e60 = star;
-    gabor_impl_add_wave_3d(sum, _e58, (_e59 * _e60.v), moment, (column * row.y));
+    gabor_impl_add_wave_3d(sum, _e58, (_e59 * _e60.v), evolution, (column * row.y));
     if !(tangents.only) {
         let _e69 = window_1;
         let _e70 = unit;
         let _e71 = star;
-        gabor_impl_add_wave_3d(sum, _e69, (_e70 * _e71.w), moment, (column * row.z));
+        gabor_impl_add_wave_3d(sum, _e69, (_e70 * _e71.w), evolution, (column * row.z));
         return;
     } else {
         return;
     }
 }
 
-// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+// The sum over 27 nodes. Lengths are in units of GABOR_CELLS_PER_RADIUS node spacings.
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
     var salt_5: u32;
     var x_9: GaborAxis;
@@ -689,7 +689,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     let _e42 = salt_5;
     let _e50 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e42 ^ 668265263u), 0f, 1.5f);
     z_6 = _e50;
-    stretch_4 = (place.radius / vec3(1.5f));
+    stretch_4 = (place.cells_per_radius / vec3(1.5f));
     let _e63 = stretch_4;
     scale_1 = (vec3(min(abs(frequency), 1000000f)) / _e63);
     loop {
@@ -721,7 +721,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e116 = scale_1;
             let _e121 = x_9.word[0];
             let _e122 = row_3;
-            gabor_impl_add_node_waves_3d((&sum_14), _e113, _e114, _e115, _e116, place.moment, tangents, _e121, _e122);
+            gabor_impl_add_node_waves_3d((&sum_14), _e113, _e114, _e115, _e116, place.evolution, tangents, _e121, _e122);
             let _e125 = x_9;
             let _e127 = gabor_impl_node(_e125, 1i);
             let _e128 = y_j;
@@ -729,7 +729,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e130 = scale_1;
             let _e135 = x_9.word[1];
             let _e136 = row_3;
-            gabor_impl_add_node_waves_3d((&sum_14), _e127, _e128, _e129, _e130, place.moment, tangents, _e135, _e136);
+            gabor_impl_add_node_waves_3d((&sum_14), _e127, _e128, _e129, _e130, place.evolution, tangents, _e135, _e136);
             let _e139 = x_9;
             let _e141 = gabor_impl_node(_e139, 2i);
             let _e142 = y_j;
@@ -737,7 +737,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e144 = scale_1;
             let _e149 = x_9.word[2];
             let _e150 = row_3;
-            gabor_impl_add_node_waves_3d((&sum_14), _e141, _e142, _e143, _e144, place.moment, tangents, _e149, _e150);
+            gabor_impl_add_node_waves_3d((&sum_14), _e141, _e142, _e143, _e144, place.evolution, tangents, _e149, _e150);
         }
         continuing {
             let _e82 = i_3;
@@ -835,7 +835,7 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
             let _e62 = i_4;
             let _e63 = gabor_impl_tangents(_e61, _e62);
             let _e64 = i_4;
-            let _e65 = gabor_lobe_seed(seed, _e64);
+            let _e65 = gabor_derived_seed(seed, _e64);
             let _e66 = gabor_impl_isotropic(place, frequency, _e63, _e65);
             let _e67 = power_2;
             gabor_impl_add_field_3d((&sum_15), _e66, sqrt(_e67), vec3(1f));

@@ -259,7 +259,7 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     for (int i = 0; i < (ocean.swell.x > 0.0f ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
         gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum, least, cell, local,
-                            second, fraction, dx, dy, gabor_lobe_seed(seed, remote ? 12 : i));
+                            second, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
     }
     water.fold = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = gabor_vec3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c3a90d2535390bf8.
+// naga 30.0.1 made it from GLSL with the digest d2cfbd40bd452e2c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -982,7 +982,7 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
                 local_30 = _e132;
             }
             let _e134 = local_30;
-            let _e135 = gabor_lobe_seed(seed, _e134);
+            let _e135 = gabor_derived_seed(seed, _e134);
             gabor_impl_add_band((&water), (&squeeze_1), ocean.band[_e111], (_e114 || ((_e115 > 0i) && (_e118 < 4i))), _e127, _e128, _e129, cell, local, second, fraction, dx, dy, _e135);
         }
         continuing {

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 37772af6aac55b09.
+// naga 30.0.1 made it from GLSL with the digest 0f701ddf1caed440.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
@@ -22,43 +22,43 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
+//     value. Cost: (ceil(2 GABOR_CELLS_PER_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 or more.
+// vec2f gabor_noise_quadrature(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary and
+//     the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
-// vec2f gabor_phasor(vec2f value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// vec2f gabor_turns_intensity(vec2f noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the same.
 //     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
-//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
+// f32 gabor_noise_animated(vec2f p, f32 evolution, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
 
 // f32 gabor_unorm(f32 noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- For large worlds, and for periods that evolve -----------------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -67,20 +67,21 @@ struct GaborKernel {
     variance_factor: f32, // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 }
 
-// A position in cells, with a period and a time.
+// A position in cells, with a period and an evolution.
 struct GaborPlace {
     cell: vec2<i32>, // any integers except the last few before 2^31, where the world wraps around
     local: vec2<f32>, // offset from that cell's corner in cells, most precise in [0, 1)^2
-    radius: vec2<f32>, // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    cells_per_radius: vec2<f32>, // along each axis: GABOR_CELLS_PER_RADIUS, or as little as half of it to fit a period
     period: vec2<i32>, // period in cells, 0 for none
-    moment: f32, // time in periods: only its fraction counts
+    evolution: f32, // as in gabor_noise_animated, in turns: only its fraction counts
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost nothing.
 struct GaborField {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
+    noise: f32,
+    gradient: vec2<f32>,
+    quadrature: f32,
+    quadrature_gradient: vec2<f32>,
 }
 
 // GaborKernel gabor_kernel(f32 frequency, f32 orientation)
@@ -88,7 +89,7 @@ struct GaborField {
 //     calls.
 
 // GaborPlace gabor_place(vec2i cell, vec2f local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
 //     axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
@@ -162,7 +163,7 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
 struct GaborImpulse {
     position_plus_one: vec2<f32>,
     phase: f32, // phase in turns
-    phase_rate: f32, // turns per unit of time: -4 to -1 or 1 to 4
+    phase_rate: f32, // turns per turn of the evolution: -4 to -1 or 1 to 4
     magnitude: f32, // magnitude of the weight
 }
 
@@ -480,18 +481,18 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
     return _e17;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
+// The gain that keeps the variance of sine kernels at 1 while their phases turn. An evolution t multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k t) = 1 - 2 sin^2(2 pi k t) over the phase rates k.
+fn gabor_impl_phase_gain(kernel: GaborKernel, evolution: f32) -> f32 {
     var sines: vec4<f32>;
     var u_1: f32;
-    if (true || (moment == 0f)) {
+    if (true || (evolution == 0f)) {
         return 1f;
     }
-    let _e9 = gabor_impl_sine(moment);
-    let _e12 = gabor_impl_sine((2f * moment));
-    let _e15 = gabor_impl_sine((3f * moment));
-    let _e18 = gabor_impl_sine((4f * moment));
+    let _e9 = gabor_impl_sine(evolution);
+    let _e12 = gabor_impl_sine((2f * evolution));
+    let _e15 = gabor_impl_sine((3f * evolution));
+    let _e18 = gabor_impl_sine((4f * evolution));
     sines = vec4<f32>(_e9, _e12, _e15, _e18);
     let _e22 = sines;
     let _e23 = sines;
@@ -566,9 +567,11 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var first: vec2<f32>;
     var cell_3: vec2<i32>;
     var cell_side: vec2<f32>;
-    var moment_1: f32;
+    var evolution_1: f32;
     var seed_word_1: u32;
-    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var sum: vec2<f32> = vec2(0f);
+    var slope_x: vec2<f32> = vec2(0f);
+    var slope_y: vec2<f32> = vec2(0f);
     var j: i32 = 0i;
     var row_word_1: u32;
     var i_1: i32;
@@ -587,142 +590,146 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     let _e15 = whole;
     local_7 = clamp((place.local - _e15), vec2(0f), vec2(1f));
     let _e23 = local_7;
-    first = floor((_e23 - place.radius));
+    first = floor((_e23 - place.cells_per_radius));
     let _e29 = whole;
     let _e30 = first;
     cell_3 = (place.cell + vec2<i32>((_e29 + _e30)));
     let _e35 = first;
     first = (_e35 - vec2(1f));
-    cell_side = (vec2(1f) / place.radius);
-    moment_1 = fract(place.moment);
+    cell_side = (vec2(1f) / place.cells_per_radius);
+    evolution_1 = fract(place.evolution);
     let _e47 = gabor_impl_seed_word(seed);
     seed_word_1 = _e47;
     loop {
-        let _e59 = j;
-        let _e60 = visited;
-        if !((_e59 < _e60)) {
+        let _e60 = j;
+        let _e61 = visited;
+        if !((_e60 < _e61)) {
             break;
         }
         {
-            let _e66 = cell_3;
-            let _e68 = j;
-            let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
-            let _e73 = seed_word_1;
-            let _e74 = gabor_impl_row_word(_e72, _e73);
-            row_word_1 = _e74;
+            let _e67 = cell_3;
+            let _e69 = j;
+            let _e73 = gabor_impl_wrap((_e67.y + _e69), place.period.y);
+            let _e74 = seed_word_1;
+            let _e75 = gabor_impl_row_word(_e73, _e74);
+            row_word_1 = _e75;
             i_1 = 0i;
             loop {
-                let _e78 = i_1;
-                let _e79 = visited;
-                if !((_e78 < _e79)) {
+                let _e79 = i_1;
+                let _e80 = visited;
+                if !((_e79 < _e80)) {
                     break;
                 }
                 {
-                    let _e85 = cell_3;
-                    let _e87 = i_1;
-                    let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
-                    column_1 = _e91;
+                    let _e86 = cell_3;
+                    let _e88 = i_1;
+                    let _e92 = gabor_impl_wrap((_e86.x + _e88), place.period.x);
+                    column_1 = _e92;
                     k_1 = 0i;
                     loop {
-                        let _e95 = k_1;
-                        if !((_e95 < 1i)) {
+                        let _e96 = k_1;
+                        if !((_e96 < 1i)) {
                             break;
                         }
                         {
-                            let _e102 = column_1;
-                            let _e103 = row_word_1;
-                            let _e104 = k_1;
-                            let _e105 = gabor_impl_impulse_word(_e102, _e103, _e104);
-                            word_3 = _e105;
-                            let _e107 = word_3;
-                            let _e108 = gabor_impl_impulse(_e107);
-                            impulse = _e108;
-                            let _e110 = local_7;
-                            let _e111 = impulse;
-                            let _e113 = first;
-                            let _e114 = i_1;
-                            let _e116 = j;
-                            let _e122 = cell_side;
-                            d = ((_e110 - (_e111.position_plus_one + (_e113 + vec2<f32>(f32(_e114), f32(_e116))))) * _e122);
-                            let _e125 = d;
-                            let _e128 = d;
-                            if (max(abs(_e125.x), abs(_e128.y)) < 1f) {
+                            let _e103 = column_1;
+                            let _e104 = row_word_1;
+                            let _e105 = k_1;
+                            let _e106 = gabor_impl_impulse_word(_e103, _e104, _e105);
+                            word_3 = _e106;
+                            let _e108 = word_3;
+                            let _e109 = gabor_impl_impulse(_e108);
+                            impulse = _e109;
+                            let _e111 = local_7;
+                            let _e112 = impulse;
+                            let _e114 = first;
+                            let _e115 = i_1;
+                            let _e117 = j;
+                            let _e123 = cell_side;
+                            d = ((_e111 - (_e112.position_plus_one + (_e114 + vec2<f32>(f32(_e115), f32(_e117))))) * _e123);
+                            let _e126 = d;
+                            let _e129 = d;
+                            if (max(abs(_e126.x), abs(_e129.y)) < 1f) {
                                 {
-                                    let _e135 = d;
-                                    let _e137 = impulse;
-                                    let _e140 = impulse;
-                                    let _e142 = moment_1;
-                                    turns = ((dot(kernel.wave, _e135) + _e137.phase) + (_e140.phase_rate * _e142));
-                                    let _e146 = d;
-                                    let _e148 = gabor_impl_window(_e146.x);
-                                    x_2 = _e148;
-                                    let _e150 = d;
-                                    let _e152 = gabor_impl_window(_e150.y);
-                                    y_2 = _e152;
-                                    let _e154 = impulse;
-                                    let _e156 = turns;
-                                    let _e159 = gabor_impl_sine((_e156 + 0.25f));
-                                    let _e160 = turns;
-                                    let _e161 = gabor_impl_sine(_e160);
-                                    wave_1 = (_e154.magnitude * vec2<f32>(_e159, _e161));
-                                    let _e166 = x_2;
-                                    let _e169 = y_2;
-                                    let _e172 = wave_1;
-                                    let _e175 = wave_1;
-                                    turned = (((6.2831855f * _e166.x) * _e169.x) * vec2<f32>(-(_e172.y), _e175.x));
+                                    let _e136 = d;
+                                    let _e138 = impulse;
+                                    let _e141 = impulse;
+                                    let _e143 = evolution_1;
+                                    turns = ((dot(kernel.wave, _e136) + _e138.phase) + (_e141.phase_rate * _e143));
+                                    let _e147 = d;
+                                    let _e149 = gabor_impl_window(_e147.x);
+                                    x_2 = _e149;
+                                    let _e151 = d;
+                                    let _e153 = gabor_impl_window(_e151.y);
+                                    y_2 = _e153;
+                                    let _e155 = impulse;
+                                    let _e157 = turns;
+                                    let _e160 = gabor_impl_sine((_e157 + 0.25f));
+                                    let _e161 = turns;
+                                    let _e162 = gabor_impl_sine(_e161);
+                                    wave_1 = (_e155.magnitude * vec2<f32>(_e160, _e162));
+                                    let _e167 = x_2;
+                                    let _e170 = y_2;
+                                    let _e173 = wave_1;
+                                    let _e176 = wave_1;
+                                    turned = (((6.2831855f * _e167.x) * _e170.x) * vec2<f32>(-(_e173.y), _e176.x));
                                     let _e181 = sum;
-                                    let _e183 = x_2;
-                                    let _e185 = y_2;
-                                    let _e188 = wave_1;
-                                    sum.value = (_e181.value + ((_e183.x * _e185.x) * _e188));
-                                    let _e192 = sum;
-                                    let _e194 = x_2;
-                                    let _e196 = y_2;
-                                    let _e199 = wave_1;
-                                    let _e203 = turned;
-                                    sum.slope_x = (_e192.slope_x + (((_e194.y * _e196.x) * _e199) + (kernel.wave.x * _e203)));
-                                    let _e208 = sum;
-                                    let _e210 = y_2;
-                                    let _e212 = x_2;
-                                    let _e215 = wave_1;
-                                    let _e219 = turned;
-                                    sum.slope_y = (_e208.slope_y + (((_e210.y * _e212.x) * _e215) + (kernel.wave.y * _e219)));
+                                    let _e182 = x_2;
+                                    let _e184 = y_2;
+                                    let _e187 = wave_1;
+                                    sum = (_e181 + ((_e182.x * _e184.x) * _e187));
+                                    let _e190 = slope_x;
+                                    let _e191 = x_2;
+                                    let _e193 = y_2;
+                                    let _e196 = wave_1;
+                                    let _e200 = turned;
+                                    slope_x = (_e190 + (((_e191.y * _e193.x) * _e196) + (kernel.wave.x * _e200)));
+                                    let _e204 = slope_y;
+                                    let _e205 = y_2;
+                                    let _e207 = x_2;
+                                    let _e210 = wave_1;
+                                    let _e214 = turned;
+                                    slope_y = (_e204 + (((_e205.y * _e207.x) * _e210) + (kernel.wave.y * _e214)));
                                 }
                             }
                         }
                         continuing {
-                            let _e99 = k_1;
-                            k_1 = (_e99 + 1i);
+                            let _e100 = k_1;
+                            k_1 = (_e100 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e82 = i_1;
-                    i_1 = (_e82 + 1i);
+                    let _e83 = i_1;
+                    i_1 = (_e83 + 1i);
                 }
             }
         }
         continuing {
-            let _e63 = j;
-            j = (_e63 + 1i);
+            let _e64 = j;
+            j = (_e64 + 1i);
         }
     }
-    let _e233 = moment_1;
-    let _e234 = gabor_impl_phase_gain(kernel, _e233);
-    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e234);
-    let _e237 = scale;
-    let _e238 = sum;
-    let _e241 = scale;
-    let _e242 = sum;
-    let _e245 = scale;
-    let _e246 = sum;
-    return GaborField((_e237 * _e238.value), (_e241 * _e242.slope_x), (_e245 * _e246.slope_y));
+    let _e228 = evolution_1;
+    let _e229 = gabor_impl_phase_gain(kernel, _e228);
+    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.cells_per_radius.x * place.cells_per_radius.y))) * _e229);
+    let _e232 = scale;
+    let _e233 = sum;
+    let _e236 = scale;
+    let _e237 = slope_x;
+    let _e239 = slope_y;
+    let _e243 = scale;
+    let _e244 = sum;
+    let _e247 = scale;
+    let _e248 = slope_x;
+    let _e250 = slope_y;
+    return GaborField((_e232 * _e233.y), (_e236 * vec2<f32>(_e237.y, _e239.y)), (_e243 * _e244.x), (_e247 * vec2<f32>(_e248.x, _e250.x)));
 }
 
 fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
     let _e4 = gabor_place(cell, local);
     let _e5 = gabor_field(_e4, kernel, seed);
-    return _e5.value.y;
+    return _e5.noise;
 }
 
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
@@ -738,49 +745,52 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     let _e10 = gabor_field(_e8, _e9, seed);
     field = _e10;
     let _e12 = field;
-    let _e15 = field;
-    let _e18 = field;
-    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
+    let _e14 = field;
+    return vec3<f32>(_e12.noise, _e14.gradient.x, _e14.gradient.y);
 }
 
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+fn gabor_noise_quadrature(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    var field_1: GaborField;
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
     let _e10 = gabor_field(_e8, _e9, seed);
-    return _e10.value;
+    field_1 = _e10;
+    let _e12 = field_1;
+    let _e14 = field_1;
+    return vec2<f32>(_e12.noise, _e14.quadrature);
 }
 
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+fn gabor_turns_intensity(noise_quadrature: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_9: f32;
     var phase: f32;
     var local_10: f32;
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_9 = (atan2(value.y, value.x) * 0.15915494f);
+    intensity = length(noise_quadrature.yx);
+    let _e4 = intensity;
+    if (_e4 > 0f) {
+        local_9 = (atan2(noise_quadrature.x, noise_quadrature.y) * 0.15915494f);
     } else {
         local_9 = 0f;
     }
-    let _e13 = local_9;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_10 = min((_e18 + 1f), 0.99999994f);
+    let _e14 = local_9;
+    phase = _e14;
+    let _e16 = phase;
+    if (_e16 < 0f) {
+        let _e19 = phase;
+        local_10 = min((_e19 + 1f), 0.99999994f);
     } else {
-        let _e23 = phase;
-        local_10 = _e23;
+        let _e24 = phase;
+        local_10 = _e24;
     }
-    let _e25 = local_10;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
+    let _e26 = local_10;
+    let _e27 = intensity;
+    return vec2<f32>(_e26, _e27);
 }
 
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
-    var radius: vec2<f32>;
+    var density_1: vec2<f32>;
     var within: vec2<f32>;
     var place_1: GaborPlace;
     period_2 = period;
@@ -790,30 +800,30 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     cells = floor((_e10 * 1f));
     let _e15 = cells;
     let _e16 = period_2;
-    radius = (_e15 / _e16);
+    density_1 = (_e15 / _e16);
     let _e19 = period_2;
     let _e22 = period_2;
     within = (p - (floor((p / _e19)) * _e22));
     let _e28 = within;
-    let _e29 = radius;
-    let _e31 = radius;
+    let _e29 = density_1;
+    let _e31 = density_1;
     let _e32 = cells;
     place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
     let _e37 = place_1;
     let _e38 = gabor_kernel(frequency, orientation);
     let _e39 = gabor_field(_e37, _e38, seed);
-    return _e39.value.y;
+    return _e39.noise;
 }
 
-fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+fn gabor_noise_animated(p: vec2<f32>, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
     let _e9 = gabor_place(vec2(0i), (p * 1f));
     place_2 = _e9;
-    place_2.moment = moment;
+    place_2.evolution = evolution;
     let _e12 = place_2;
     let _e13 = gabor_kernel(frequency, orientation);
     let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
+    return _e14.noise;
 }
 
 fn gabor_unorm(noise: f32) -> f32 {

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c620ed422396e2f9.
+// naga 30.0.1 made it from GLSL with the digest 4f4cf6b2aa1e1342.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -13,7 +13,7 @@
 //     a range of directions or frequencies     gabor_noise_spread
 //     a spectrum of my own                     gabor_field_lobes
 //     rectangular, round or sharp stripes      gabor_profile_pulse and so on, after gabor_stripes
-//     derivatives, periods, a time             a place, then gabor_field_isotropic, _spread or _lobes
+//     derivatives, periods, an evolution       a place, then gabor_field_isotropic, _spread or _lobes
 //     noise averaged over a pixel              gabor_filter.wgsl
 //
 // Arguments and fields are those of gabor_noise.wgsl.
@@ -97,7 +97,7 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded to
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is rounded to
 // a f32, within the period if there is one.
 fn gabor_impl_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     var cell_2: vec2<i32>;
@@ -106,13 +106,13 @@ fn gabor_impl_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     let _e6 = gabor_impl_wrap(place.cell.x, place.period.x);
     let _e11 = gabor_impl_wrap(place.cell.y, place.period.y);
     cell_2 = vec2<i32>(_e6, _e11);
-    unit = (vec2(1f) / (place.radius * radius));
+    unit = (vec2(1f) / (place.cells_per_radius * radius));
     let _e20 = cell_2;
     let _e24 = unit;
     let _e28 = unit;
     let _e30 = gabor_place_tiled(((vec2<f32>(_e20) + place.local) * _e24), (vec2<f32>(place.period) * _e28));
     stretched = _e30;
-    stretched.moment = place.moment;
+    stretched.evolution = place.evolution;
     let _e34 = stretched;
     return _e34;
 }
@@ -178,7 +178,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             let _e36 = lobe_1;
             let _e37 = gabor_impl_lobe_wave(_e36);
             let _e38 = i_1;
-            let _e39 = gabor_lobe_seed(seed, _e38);
+            let _e39 = gabor_derived_seed(seed, _e38);
             let _e40 = gabor_field(_e35, _e37, _e39);
             field_4 = _e40;
             let _e43 = field_4;
@@ -333,7 +333,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     let _e105 = wave_6;
                     let _e107 = shell;
                     let _e110 = direction;
-                    let _e114 = gabor_lobe_seed(seed, i32(((128f * _e107.z) + _e110.z)));
+                    let _e114 = gabor_derived_seed(seed, i32(((128f * _e107.z) + _e110.z)));
                     let _e115 = gabor_field(place, _e105, _e114);
                     field_5 = _e115;
                     let _e118 = field_5;
@@ -382,7 +382,7 @@ struct GaborStar {
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
+fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, evolution: f32) -> GaborStar {
     var star: GaborStar;
     let _e10 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
     star.u = _e10;
@@ -401,15 +401,15 @@ fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
     let _e43 = star;
     let _e48 = gabor_impl_product(_e38.second, vec2<f32>(_e40.first.x, -(_e43.first.y)));
     star.third = _e48;
-    let _e51 = gabor_impl_amplitude_at(words.x, moment);
+    let _e51 = gabor_impl_amplitude_at(words.x, evolution);
     let _e52 = star;
     let _e54 = gabor_impl_product(_e51, _e52.first);
     star.first = _e54;
-    let _e57 = gabor_impl_amplitude_at(words.y, moment);
+    let _e57 = gabor_impl_amplitude_at(words.y, evolution);
     let _e58 = star;
     let _e60 = gabor_impl_product(_e57, _e58.second);
     star.second = _e60;
-    let _e63 = gabor_impl_amplitude_at(words.z, moment);
+    let _e63 = gabor_impl_amplitude_at(words.z, evolution);
     let _e64 = star;
     let _e66 = gabor_impl_product(_e63, _e64.third);
     star.third = _e66;
@@ -420,19 +420,19 @@ fn gabor_impl_star(words: vec4<u32>, d: vec2<f32>, moment: f32) -> GaborStar {
 // Adds a wave of a node: `a` is its amplitude times the wave at the point, `window` the value and gradient of the node's
 // window.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec2<f32>, wave: vec2<f32>) {
-    var value_5: vec2<f32>;
-    value_5 = (window.x * a);
+    var value_4: vec2<f32>;
+    value_4 = (window.x * a);
     let _e8 = (*sum);
-    let _e10 = value_5;
+    let _e10 = value_4;
     (*sum).noise = (_e8.noise + _e10.y);
     let _e14 = (*sum);
-    let _e20 = value_5;
+    let _e20 = value_4;
     (*sum).gradient = (_e14.gradient + ((a.y * window.yz) + ((6.2831855f * _e20.x) * wave)));
     let _e27 = (*sum);
-    let _e29 = value_5;
+    let _e29 = value_4;
     (*sum).quadrature = (_e27.quadrature + _e29.x);
     let _e33 = (*sum);
-    let _e39 = value_5;
+    let _e39 = value_4;
     (*sum).quadrature_gradient = (_e33.quadrature_gradient + ((a.x * window.yz) - ((6.2831855f * _e39.y) * wave)));
     return;
 }
@@ -458,12 +458,12 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
     let _e12 = salt_4;
-    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.radius.x);
+    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.cells_per_radius.x);
     x_5 = _e16;
     let _e24 = salt_4;
-    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.radius.y);
+    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.cells_per_radius.y);
     y_4 = _e30;
-    stretch_2 = (place.radius / vec2(1.5f));
+    stretch_2 = (place.cells_per_radius / vec2(1.5f));
     let _e40 = frequency_11;
     frequency_11 = min(abs(_e40), 1000000f);
     loop {
@@ -488,12 +488,12 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
                     let _e83 = i_5;
                     let _e88 = y_4;
                     let _e90 = j_2;
-                    d_1 = ((vec2(_e77) / place.radius) * vec2<f32>((_e81.offset - f32((_e83 - 1i))), (_e88.offset - f32((_e90 - 1i)))));
+                    d_1 = ((vec2(_e77) / place.cells_per_radius) * vec2<f32>((_e81.offset - f32((_e83 - 1i))), (_e88.offset - f32((_e90 - 1i)))));
                     let _e98 = i_5;
                     let _e101 = x_5.word[_e98];
                     let _e102 = row_1;
                     let _e104 = d_1;
-                    let _e106 = gabor_impl_star((_e101 * _e102), _e104, place.moment);
+                    let _e106 = gabor_impl_star((_e101 * _e102), _e104, place.evolution);
                     star_1 = _e106;
                     let _e108 = i_5;
                     let _e111 = x_5.node[_e108];
@@ -588,12 +588,12 @@ fn gabor_impl_ends_at(phase: f32, span: f32) -> vec3<f32> {
 
 fn gabor_impl_ends(stripes: vec2<f32>) -> vec3<f32> {
     var phasor: vec2<f32>;
-    let _e1 = gabor_phasor(stripes);
-    phasor = _e1;
-    let _e3 = phasor;
-    let _e5 = phasor;
-    let _e7 = gabor_impl_ends_at(_e3.x, _e5.y);
-    return _e7;
+    let _e2 = gabor_turns_intensity(stripes.yx);
+    phasor = _e2;
+    let _e4 = phasor;
+    let _e6 = phasor;
+    let _e8 = gabor_impl_ends_at(_e4.x, _e6.y);
+    return _e8;
 }
 
 fn gabor_impl_triangle_integral(x: f32) -> f32 {

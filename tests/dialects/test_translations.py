@@ -30,7 +30,7 @@ DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxco
 CALLS = {  # each call, and its column in the table of drop-ins in docs/engine-results.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
-    "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
+    "gabor_noise_quadrature(p, 4.0, 0.7854, 7u).y": "complex",
     "2.0 * gabor_stripes(p, 0.3 * p, 1.0, 7u).x + 2.0 * gabor_profile_triangle(0.8 * vec2(cos(p.x), sin(p.x)))": "stripes",
     "gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u)": "tiled",
     "gabor_field(gabor_place_tiled(p, vec2(5.0, 7.5)), gabor_wave_vector(4.0, 0.7854), 7u).quadrature_gradient.x": "tiled",

@@ -191,9 +191,14 @@ float kept(vec4 v) {
     return v.x + 0.7f * v.y - 0.5f * v.z + 0.3f * v.w;
 }
 
+float flipped(vec2 v) {
+    return kept(vec2(v.y, v.x));
+}
+
 #if defined GOLDEN_SPARSE
 float kept(GaborField f) {
-    return kept(f.value) + 0.05f * (kept(f.slope_x) + 0.3f * kept(f.slope_y));
+    vec2 slopes = f.quadrature_gradient + 0.7f * f.gradient;
+    return f.quadrature + 0.7f * f.noise + 0.05f * (slopes.x + 0.3f * slopes.y);
 }
 #else
 float kept(GaborField f) {
@@ -244,30 +249,30 @@ void see_all(int i) {
     SEE(gabor_noise(s.p, s.frequency, s.orientation, s.seed))
     SEE(gabor_unorm(gabor_noise(s.p, s.frequency, s.orientation, s.seed)))
     SEE(kept_gradient(gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed)))
-    SEE(kept(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)))
-    SEE(gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).y)
-    SEE(sin(6.2831853f * gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).x))
+    SEE(flipped(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(gabor_turns_intensity(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)).y)
+    SEE(sin(6.2831853f * gabor_turns_intensity(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)).x))
     SEE(gabor_noise_tiled(s.p, s.period, s.frequency, s.orientation, s.seed))
     SEE(gabor_noise_animated(s.p, s.time, s.frequency, s.orientation, s.seed))
 #endif
 #if defined GOLDEN_SPARSE
     SEE(gabor_noise_at(s.cell, s.local, gabor_kernel(s.frequency, s.orientation), s.seed))
     GaborPlace place = gabor_place(s.cell, s.local);
-    place.radius *= 0.9f;
+    place.cells_per_radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.moment = s.time;
+    place.evolution = s.time;
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS && !defined GOLDEN_OCEAN
     GaborPlace place = gabor_place(s.cell, s.local);
-    place.radius *= 0.9f;
+    place.cells_per_radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.moment = i % 2 == 0 ? s.time : 0.0f;
+    place.evolution = i % 2 == 0 ? s.time : 0.0f;
     GaborPlace tile = gabor_place_tiled(i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p, s.period);
-    tile.moment = s.time;
+    tile.evolution = s.time;
     vec2 wave = gabor_wave_vector(s.frequency, s.orientation);
 #endif
 #if defined GOLDEN_NOISE
-    SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
+    SEE(float(gabor_derived_seed(s.seed, i) >> 8u) / 16777216.0f)
     vec2 uneven = s.frequency * vec2(s.direction.x, s.normal.x);
     float sharpness = drawn(i, 33, 0.0f, 5.0f);
     SEE(gabor_field(gabor_place(s.cell, s.local), wave, s.seed).noise)
@@ -335,9 +340,9 @@ void see_all(int i) {
 #endif
 #if defined GOLDEN_NOISE_3D
     GaborPlace3d here = gabor_place_3d_at(s.q), solid = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
-    solid.radius *= vec3(0.9f, 1.1f, 1.0f);
+    solid.cells_per_radius *= vec3(0.9f, 1.1f, 1.0f);
     solid.period = ivec3(7, 0, 12);
-    solid.moment = place.moment;
+    solid.evolution = place.evolution;
     GaborPlace3d block = gabor_place_3d_tiled(s.q, s.period_3d);
     vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
     vec3 dx = s.dx_3d, dy = s.dy_3d;

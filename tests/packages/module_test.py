@@ -21,7 +21,7 @@ from PIL import Image
 POINTS = dict(x=np.linspace(-3, 40, 24), y=np.linspace(7, 0.1, 24))
 POINTS_3D = POINTS | dict(z=np.linspace(0.2, 9, 24))
 WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
-COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
+COMMON = dict(seed=[1, 2**32 - 1, -5], evolution=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
 SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell=[0.0, 1.0, 3.0],
            loop=[0, 8, 256], seed=[1, 2, 3])
@@ -31,7 +31,7 @@ CASES = [
     (gn.noise, POINTS, WAVE | COMMON),
     (gn.noise, POINTS | dict(period=(6, 9)), WAVE | COMMON),
     (gn.noise_gradient, POINTS, WAVE | COMMON),
-    (gn.noise_complex, POINTS, WAVE | COMMON),
+    (gn.noise_quadrature, POINTS, WAVE | COMMON),
     (gn.noise_isotropic, POINTS, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_spread, POINTS, WAVE | COMMON | dict(frequency_spread=[0.0, 0.3, 1.0], orientation_spread=[0.0, 0.4, np.pi / 2])),
     (gn.noise_filtered, POINTS | dict(pixel=0.1), WAVE | COMMON),
@@ -133,7 +133,7 @@ class Arrays(unittest.TestCase):
 class Pictures(unittest.TestCase):
     def test_have_the_values_of_their_pixels_centres(self):
         x, y = np.meshgrid((np.arange(40) + 0.5) / 7, (np.arange(30) + 0.5) / 7)
-        wave = dict(frequency=3.0, orientation=0.7, seed=9, period=(5, 3), time=0.2)
+        wave = dict(frequency=3.0, orientation=0.7, seed=9, period=(5, 3), evolution=0.2)
         lobes = [gn.Lobe(3.0, 0.4, 0.5), gn.Lobe(2.0, 1.4, (1.5, 0.6), 3.0)]
         for picture, values in (
                 (gn.image((30, 40), scale=7, **wave), gn.noise(x, y, **wave)),
@@ -285,7 +285,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.image((4, 4), orientation=np.zeros((3, 3))), "do not broadcast: x (1, 4), y (4, 1), orientation (3, 3)"),
                 (lambda: gn.image((4, 4), period=-1), "period is -1"),
                 (lambda: gn.image((4, 4), period=(1, 2, 3)), "period is (1, 2, 3)"),
-                (lambda: gn.image((4, 4), time=np.inf), "time is inf"),
+                (lambda: gn.image((4, 4), evolution=np.inf), "evolution is inf"),
                 (lambda: gn.image((4, 4), workers=0), "workers is 0: expected an integer, 1 or more, or None for all cores"),
                 (lambda: gn.image((4, 4), dtype="int32"), "dtype is 'int32': expected float32 or float64"),
                 (lambda: gn.image((4, 4), dtype="real"), "dtype is 'real': expected float32 or float64"),
@@ -320,9 +320,9 @@ class Calls(unittest.TestCase):
             self.assertIn(said, str(caught.exception))
 
     def test_defaults(self):
-        common = "seed=0, period=None, time=None, workers=None, dtype=float32"
+        common = "seed=0, period=None, evolution=None, workers=None, dtype=float32"
         wave = f"x, y, frequency=4.0, orientation=0.0, {common}"
-        ground = common.replace("time=None, ", "")
+        ground = common.replace("evolution=None, ", "")
         sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell=0.0, swell_period=12.0, swell_direction=0.0, loop=0, " \
               "seed=0, workers=None, dtype=float32"
         for name, expected in {
@@ -330,7 +330,7 @@ class Calls(unittest.TestCase):
                          f"lobes=None, {common}",
                 "volume": f"shape, scale=32.0, frequency=4.0, direction=None, {common}",
                 "grid": "shape, scale=32.0",
-                "noise": wave, "noise_gradient": wave, "noise_complex": wave,
+                "noise": wave, "noise_gradient": wave, "noise_quadrature": wave,
                 "noise_isotropic": wave.replace("orientation=0.0, ", ""),
                 "noise_spread": wave.replace("seed", f"frequency_spread=0.0, orientation_spread={np.pi / 2}, seed"),
                 "noise_lobes": f"x, y, lobes, {common}",

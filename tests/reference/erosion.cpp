@@ -146,7 +146,7 @@ Terrain eroded_point(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy,
             const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], nodes);
             const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], nodes);
             const Field<2> field =
-                wave_noise(taps, wave, lattice_lobe_seed(seed, octave))
+                wave_noise(taps, wave, lattice_derived_seed(seed, octave))
                     .field({{x.cell, y.cell}, {x.local, y.local}, {x.nodes, y.nodes}, {x.period, y.period}});
             const double s = erosion.uniformity;
             z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;

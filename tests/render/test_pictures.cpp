@@ -44,7 +44,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
         const noise::Lobe& lobe = request.lobes[i];
         const std::uint32_t seed = request.lobes.size() == 1
                                        ? request.seed
-                                       : noise::lattice_lobe_seed(request.seed, static_cast<int>(i));
+                                       : noise::lattice_derived_seed(request.seed, static_cast<int>(i));
         const double angle = noise::radians(lobe.orientation);
         if (lobe.is_one_wave()) {
             terms.push_back({lobe.frequency, angle, lobe.radii(), lobe.power, seed});

@@ -141,7 +141,7 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const auto frequency = static_cast<float>(lobe.frequency);
     const bool isotropic = lobe.orientation_spread > 0;
     GaborPlace3d place = gabor_place_3d_at(narrow(seen.p));
-    place.moment = static_cast<float>(request.time);
+    place.evolution = static_cast<float>(request.time);
     const Body* body = std::get_if<Body>(&request.view);
     if (body && !body->solid && request.filter)
         return isotropic

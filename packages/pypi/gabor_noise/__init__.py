@@ -32,7 +32,7 @@ from ._arguments import MEMBERS, evaluate, fill_grid, members, number, numbers, 
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
-__all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
+__all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_quadrature", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
            "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "movie", "Movie", "source"]
 __version__ = "@VERSION@"
 
@@ -57,7 +57,7 @@ def _axes(shape: Sequence[int], scale: float, *dimensions: int) -> tuple[NDArray
 def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
           isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
           lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
-          time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+          evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a picture of noise, with one value per pixel: mean 0, variance 1.
 
     shape: (height, width) in pixels.
@@ -80,7 +80,7 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise in 3D, with one value per voxel: mean 0, variance 1.
 
@@ -89,42 +89,42 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
     The other arguments are those of `noise_3d`.
     """
     x, y, z = _axes(shape, scale, 3)
-    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, workers=workers,
+    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, evolution=evolution, workers=workers,
                     dtype=dtype)
 
 
 # ---- Noise ---------------------------------------------------------------------------------------------------------
 
 def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-          period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+          period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
     frequency: cycles per kernel radius, up to 10^6.
     orientation: direction of the wave vector in radians; waves run along it.
     period: kernel radii, at least 1/1024.
-    time: time in an animation with period 1; 0 or None for none.
+    evolution: time in an animation that repeats after 1, in turns; 0 or None for none.
     """
     return evaluate("noise", locals())
 
 
 def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                   period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                   period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
     return evaluate("gradient", locals())
 
 
-def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                  period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return (quadrature, noise) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
+    """Return (noise, quadrature) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
     ahead; arctan2(noise, quadrature) is the phase of stripes of even contrast. Arguments are those of `noise`."""
-    return evaluate("complex", locals())
+    return evaluate("quadrature", locals())
 
 
 def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
-                    period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                    period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of waves in all directions, at the same cost for every frequency. Arguments are those of `noise`."""
     return evaluate("isotropic", locals())
@@ -132,7 +132,7 @@ def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, s
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
                  frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
-                 period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                 period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of a range of waves, a sum of up to 1024 noises: of 10 for all directions at frequency 2.
 
@@ -153,7 +153,7 @@ class Lobe(NamedTuple):
 
 
 def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
-                time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+                evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
     deviation of 1/sqrt(12) / radius cycles per unit.
 
@@ -185,7 +185,7 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
 
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                   seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None,
+                   seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                    workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
@@ -196,7 +196,7 @@ def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: A
 
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-             seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+             seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
              dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
@@ -212,7 +212,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
 
 
 def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
-            period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+            period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
             dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
 
