@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e6fe1736afabcdbe.
+// naga 30.0.1 made it from GLSL with the digest 6b4035a663df77fa.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
@@ -32,14 +32,14 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    joint: vec3<f32>, // colour of the joints
-    width: f32, // width of the boards along x, in units, 0.05 to 10
-    reach: f32, // length of the boards along y, in units, 0.05 to 20
-    shift: f32, // shift of each column or row from the one before it, in boards, 0 to 1
-    turns: f32, // share of the boards whose material is turned by a quarter turn, 0 to 1
-    shades: f32, // how much darker the darkest boards are than the material, 0 to 1
-    gap: f32, // width of the joints, in units, 0 to 0.2
-    depth: f32, // depth of the joints below height 0, in units, 0 to 0.2
+    joint_colour: vec3<f32>, // colour of the joints
+    board_width: f32, // width of the boards along x, in units, 0.05 to 10
+    board_length: f32, // length of the boards along y, in units, 0.05 to 20
+    offset: f32, // shift of each column or row from the one before it, in boards, 0 to 1
+    turned_share: f32, // share of the boards whose material is turned by a quarter turn, 0 to 1
+    shade_variation: f32, // how much darker the darkest boards are than the material, 0 to 1
+    joint_width: f32, // width of the joints, in units, 0 to 0.2
+    joint_depth: f32, // depth of the joints below height 0, in units, 0 to 0.2
 }
 
 // The board at a point.
@@ -48,9 +48,9 @@ struct GaborBoard {
     dx: vec2<f32>, // the pixel there, for a filtered material
     dy: vec2<f32>,
     seed: u32, // the board's own seed for its material
-    turn: vec2<f32>, // cosine and sine of its turn
-    tone: f32, // factor for its colours
-    joint: vec3<f32>, // how much of the pixel is a joint, and the derivatives of that along x and y
+    rotation: vec2<f32>, // cosine and sine of its turn
+    shade: f32, // factor for its colours
+    joint_cover: vec3<f32>, // how much of the pixel is a joint, and the derivatives of that along x and y
 }
 
 // GaborBoards gabor_boards_default()
@@ -160,11 +160,11 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     var along_4: vec2<f32>;
     var free: vec2<f32>;
     var dark_2: f32;
-    size_5 = vec2<f32>(boards.width, boards.reach);
+    size_5 = vec2<f32>(boards.board_width, boards.board_length);
     let _e13 = size_5;
     let _e15 = size_5;
     rows_5 = (_e13.x > _e15.y);
-    shift = boards.shift;
+    shift = boards.offset;
     if (period.x > 0f) {
         {
             let _e24 = size_5;
@@ -249,7 +249,7 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e137 = gabor_derived_seed(_e135, 1i);
     random = _e137;
     let _e139 = random;
-    if (f32((_e139 & 65535u)) < (65536f * boards.turns)) {
+    if (f32((_e139 & 65535u)) < (65536f * boards.turned_share)) {
         local_88 = vec2<f32>(0f, 1f);
     } else {
         local_88 = vec2<f32>(1f, 0f);
@@ -270,12 +270,12 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e188 = local_87;
     let _e190 = size_5;
     let _e193 = wide_3;
-    let _e195 = gabor_impl_joints(_e188.x, _e190.x, boards.gap, _e193.x);
+    let _e195 = gabor_impl_joints(_e188.x, _e190.x, boards.joint_width, _e193.x);
     across_4 = _e195;
     let _e197 = local_87;
     let _e199 = size_5;
     let _e202 = wide_3;
-    let _e204 = gabor_impl_joints(_e197.y, _e199.y, boards.gap, _e202.y);
+    let _e204 = gabor_impl_joints(_e197.y, _e199.y, boards.joint_width, _e202.y);
     along_4 = _e204;
     let _e207 = across_4;
     let _e209 = along_4;
@@ -300,28 +300,28 @@ fn gabor_board(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bo
     let _e253 = across_4;
     let _e256 = free;
     let _e258 = along_4;
-    return GaborBoard(_e230, _e232, _e234, _e237, _e238, (1f - (boards.shades * _e241)), vec3<f32>((1f - (_e245.x * _e247.y)), (_e251.y * _e253.y), (_e256.x * _e258.y)));
+    return GaborBoard(_e230, _e232, _e234, _e237, _e238, (1f - (boards.shade_variation * _e241)), vec3<f32>((1f - (_e245.x * _e247.y)), (_e251.y * _e253.y), (_e256.x * _e258.y)));
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {
     var joint: f32;
     var free_1: f32;
     var back_2: vec2<f32>;
-    joint = board.joint.x;
+    joint = board.joint_cover.x;
     let _e7 = joint;
     free_1 = (1f - _e7);
-    back_2 = vec2<f32>(board.turn.x, -(board.turn.y));
+    back_2 = vec2<f32>(board.rotation.x, -(board.rotation.y));
     let _e21 = joint;
     let _e24 = free_1;
     let _e27 = joint;
     let _e31 = free_1;
-    let _e34 = gabor_impl_product(material.slope, board.turn);
+    let _e34 = gabor_impl_product(material.slope, board.rotation);
     let _e47 = joint;
     let _e49 = free_1;
     let _e52 = free_1;
     let _e54 = back_2;
-    let _e57 = gabor_impl_turned_square(material.lost, _e54, board.turn.yx);
-    return GaborMaterial(mix((board.tone * material.colour), boards.joint, vec3(_e21)), ((_e24 * material.height) - (_e27 * boards.depth)), ((_e31 * _e34) - ((material.height + boards.depth) * board.joint.yz)), mix(material.roughness, max(material.roughness, 0.8f), _e47), (_e49 * material.metalness), (_e52 * _e57));
+    let _e57 = gabor_impl_turned_square(material.lost, _e54, board.rotation.yx);
+    return GaborMaterial(mix((board.shade * material.colour), boards.joint_colour, vec3(_e21)), ((_e24 * material.height) - (_e27 * boards.joint_depth)), ((_e31 * _e34) - ((material.height + boards.joint_depth) * board.joint_cover.yz)), mix(material.roughness, max(material.roughness, 0.8f), _e47), (_e49 * material.metalness), (_e52 * _e57));
 }
 
 // The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the

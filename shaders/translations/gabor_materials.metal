@@ -69,19 +69,19 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    float3 early;      // colour of the early wood
-    float3 late;       // colour of the late wood
-    float rings;     // growth rings per unit, 2 to 60
-    float waviness;  // how much the rings bend, 0 to 3
-    float pores;     // strength of the pores, 0 to 1
-    float roughness; // roughness of the early wood, 0 to 1
+    float3 earlywood_colour; // colour of the early wood
+    float3 latewood_colour;  // colour of the late wood
+    float rings;           // growth rings per unit, 2 to 60
+    float waviness;        // how much the rings bend, 0 to 3
+    float pore_strength;   // strength of the pores, 0 to 1
+    float roughness;       // roughness of the early wood, 0 to 1
 };
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    float3 warp;        // colour of the threads along y
-    float3 weft;        // colour of the threads along x
+    float3 warp_colour; // colour of the threads along y
+    float3 weft_colour; // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
@@ -92,98 +92,98 @@ struct GaborFabric {
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    float3 pebble;     // colour of the cells
-    float3 crease;     // colour between the cells
-    float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // how much the rows of cells bend, 0 to 3
-    float relief;    // height of the cells, relative to the default, 0 to 3
-    float roughness; // roughness of the cells, 0 to 0.7
+    float3 pebble_colour; // colour of the cells
+    float3 crease_colour; // colour between the cells
+    float cells;        // cells per unit, 2 to 30
+    float waviness;     // how much the rows of cells bend, 0 to 3
+    float relief;       // height of the cells, relative to the default, 0 to 3
+    float roughness;    // roughness of the cells, 0 to 0.7
 };
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    float3 stone;       // colour of the stone
-    float3 vein;        // colour of the darkest veins
-    float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // how much the veins bend, 0 to 2
-    float clouds;     // darkening by clouds, 0 to 1
-    float roughness;  // 0 to 1
+    float3 stone_colour;    // colour of the stone
+    float3 vein_colour;     // colour of the darkest veins
+    float vein_strength;  // strength of the veins, 0 to 1.3
+    float turbulence;     // how much the veins bend, 0 to 2
+    float cloud_strength; // darkening by clouds, 0 to 1
+    float roughness;      // 0 to 1
 };
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    float3 trough;     // colour of the troughs
-    float3 crest;      // colour of the crests
-    float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units, 0 to 0.2
-    float grain;     // contrast of the grains, 0 to 0.25
-    float roughness; // 0 to 1
+    float3 trough_colour;   // colour of the troughs
+    float3 crest_colour;    // colour of the crests
+    float ripples;        // ripples per unit, 1 to 20
+    float ripple_height;  // height of the ripples, in units, 0 to 0.2
+    float grain_contrast; // contrast of the grains, 0 to 0.25
+    float roughness;      // 0 to 1
 };
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    float3 colour;      // colour of the metal
-    float3 patina;      // colour of the patina
-    float streaks;    // number of the widest streaks per unit, 1 to 50
-    float contrast;   // contrast of the streaks, 0 to 0.5
-    float relief;     // height of the widest streaks, in units, 0 to 0.01
-    float roughness;  // roughness of the metal, 0 to 1
-    float weathering; // amount of patina, 0 to 1
+    float3 metal_colour;     // colour of the metal
+    float3 patina_colour;    // colour of the patina
+    float streaks;         // number of the widest streaks per unit, 1 to 50
+    float streak_contrast; // contrast of the streaks, 0 to 0.5
+    float streak_height;   // height of the widest streaks, in units, 0 to 0.01
+    float roughness;       // roughness of the metal, 0 to 1
+    float patina_amount;   // amount of patina, 0 to 1
 };
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    float3 lacquer;    // colour of the lacquer
-    float3 scratch;    // colour in the scratches
-    float amount;    // number of scratches, relative to the default, 0.01 to 8
-    float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
-    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // depth of the scratches, in units, 0 to 0.02
-    float roughness; // 0 to 1
+    float3 lacquer_colour;     // colour of the lacquer
+    float3 scratch_colour;     // colour in the scratches
+    float amount;            // number of scratches, relative to the default, 0.01 to 8
+    float scratch_length;    // length of the scratches, in units, 0.3 to 10
+    float scratch_direction; // mean direction along the scratches, -6.2832 to 6.2832 radians
+    float direction_spread;  // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
+    float depth;             // depth of the scratches, in units, 0 to 0.02
+    float roughness;         // 0 to 1
 };
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    float3 bright;     // colour between the stripes
-    float3 stripe;     // colour of the stripes
-    float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
-    float hair;      // contrast of the hair, 0 to 3
-    float roughness; // 0 to 1
+    float3 background_colour; // colour between the stripes
+    float3 stripe_colour;     // colour of the stripes
+    float stripes;          // stripes per unit, 0.5 to 20
+    float orientation;      // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    float bend_angle;       // how much the stripes' direction changes, 0 to 1.5708 radians
+    float hair_contrast;    // contrast of the hair, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    float3 plate;      // colour of the plates
-    float3 furrow;     // colour of the furrows
-    float3 moss;       // colour of the moss
-    float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // amount of moss, 0 to 1
-    float depth;     // depth of the furrows, in units, 0 to 0.4
-    float roughness; // 0 to 1
+    float3 plate_colour;  // colour of the plates
+    float3 furrow_colour; // colour of the furrows
+    float3 moss_colour;   // colour of the moss
+    float furrows;      // furrows per unit, 0.5 to 10
+    float moss_amount;  // amount of moss, 0 to 1
+    float depth;        // depth of the furrows, in units, 0 to 0.4
+    float roughness;    // 0 to 1
 };
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    float3 colour;     // colour of the fibres
-    float tows;      // tows per unit, 1 to 20
-    float contrast;  // contrast of the fibres, 0 to 0.6
-    float relief;    // height of the tows, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    float3 colour;          // colour of the fibres
+    float tows;           // tows per unit, 1 to 20
+    float fibre_contrast; // contrast of the fibres, 0 to 0.6
+    float relief;         // height of the tows, relative to the default, 0 to 3
+    float roughness;      // 0 to 1
 };
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    float3 rock;       // colour of the darker rock
-    float3 sandstone;  // colour of the lighter rock
-    float3 red;        // colour of the soft layers
-    float3 pale;       // colour of the thin layers
-    float layers;    // layers per unit, 1 to 30
-    float folds;     // how much the layers bend, 0 to 3
-    float relief;    // height of the layers, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    float3 dark_rock_colour;  // colour of the darker rock
+    float3 light_rock_colour; // colour of the lighter rock
+    float3 soft_layer_colour; // colour of the soft layers
+    float3 thin_layer_colour; // colour of the thin layers
+    float layers;           // layers per unit, 1 to 30
+    float folding;          // how much the layers bend, 0 to 3
+    float relief;           // height of the layers, relative to the default, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // ====================================================================================================================
@@ -731,16 +731,16 @@ inline GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPair
     float3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     float3 ring = gabor_impl_rise(years, float3(kept, 0.0, 0.0));
-    float3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
+    float3 pores = wood.pore_strength * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     float3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
                + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
-    float3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
-                + 0.45 * deep.x * wood.late;
+    float3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones) + late * gabor_impl_toned(wood.latewood_colour, tones)
+                + 0.45 * deep.x * wood.latewood_colour;
     float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
-    float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
     float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
               + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
@@ -830,7 +830,7 @@ inline GaborMaterial gabor_impl_fabric(GaborPixel cloth, float2 count, GaborFabr
                     + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
     float2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
                     + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
-    float3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    float3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones), weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -900,8 +900,8 @@ inline GaborMaterial gabor_impl_carbon_fibre(GaborPixel cloth, float2 count, Gab
     float2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
-    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.contrast));
-    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.contrast));
+    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.a.first.x, of.a.removed, fibres.fibre_contrast));
+    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.b.first.x, of.b.removed, fibres.fibre_contrast));
     float3 height = float3(0.0), colour = float3(0.0), lost = float3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -944,7 +944,7 @@ inline GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonF
 // Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
 inline GaborPixel gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
-    float2 bends = float2(0.07, 0.014) * leather.wrinkles;
+    float2 bends = float2(0.07, 0.014) * leather.waviness;
     GaborPixel skin = gabor_impl_warp(pixel, float2(0.9), float2(bends.x), seed, 0);
     return gabor_impl_warp(skin, float2(4.0), float2(bends.y), seed, 1);
 }
@@ -1008,7 +1008,7 @@ inline GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, Gabor
     share = mix(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
-    float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    float3 colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones), share);
     lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1045,8 +1045,8 @@ inline GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborPixel st
 }
 
 inline GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
-    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    float3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+    float clouds = marble.cloud_strength * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    float3 colour = gabor_impl_toned(marble.stone_colour * (1.0 - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
@@ -1055,12 +1055,12 @@ inline GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, Gabo
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 inline void gabor_impl_add_veins(thread GaborMaterial& stone, GaborMarble marble, int i, GaborPair vein) {
     float2 width = i == 4 ? float2(0.25, 0.035) : i == 5 ? float2(0.35, 0.05) : float2(1.0, i == 6 ? 0.04 : 0.05);
-    float2 strength = marble.veins * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));
+    float2 strength = marble.vein_strength * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
     strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
-    float3 halo = mix(marble.stone, marble.vein, 0.65);
-    float3 core = mix(marble.stone, marble.vein, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
+    float3 halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
+    float3 core = mix(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
     stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
     stone.colour = clamp(stone.colour, 0.0, 1.0);
 }
@@ -1100,22 +1100,22 @@ inline GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPa
     float2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
     float3 phase = float3(gabor_turns_intensity(z.yx).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
     float3 ripple = gabor_impl_rise(phase, span * float3(1.0, (1.0 / power - 1.0 / whole) * change));
-    float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
+    float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain_contrast)
                + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
-    float3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    float3 colour = mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
-    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
-    colour = mix(colour, mix(sand.crest, float3(1.0), 0.6), 3.0 * sand.grain * bright);
-    float3 tall = float3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.a.first;
-    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain * of.b.first;
+    colour = mix(colour, 0.23 * sand.trough_colour, 3.75 * sand.grain_contrast * dark);
+    colour = mix(colour, mix(sand.crest_colour, float3(1.0), 0.6), 3.0 * sand.grain_contrast * bright);
+    float3 tall = float3(sand.ripple_height, 0.0, 0.0) + 0.2 * sand.ripple_height * of.a.first;
+    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain_contrast * of.b.first;
     float2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = float2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     float3 bent = float3(0.4 * ripples.density * ripples.density, 0.0);
     float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
     float3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
+              + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.b.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
@@ -1142,7 +1142,7 @@ inline GaborLayer gabor_impl_metal_layer(int i, GaborPixel pixel, GaborBrushedMe
 
 // The layers that the metal needs.
 inline int gabor_impl_metal_layers(GaborBrushedMetal metal) {
-    return metal.weathering > 0.0 ? 11 : 5;
+    return metal.patina_amount > 0.0 ? 11 : 5;
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
@@ -1159,12 +1159,12 @@ inline void gabor_impl_add_metal(thread GaborPairs& of, int i, GaborLayer layer,
 }
 
 inline GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    float3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.contrast));
-    float3 height = metal.relief * of.a.first, lost = metal.relief * metal.relief * of.a.lost;
-    if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
-    float threshold = 2.4 - 3.8 * metal.weathering;
+    float3 colour = gabor_impl_toned(metal.metal_colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.streak_contrast));
+    float3 height = metal.streak_height * of.a.first, lost = metal.streak_height * metal.streak_height * of.a.lost;
+    if (metal.patina_amount <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
+    float threshold = 2.4 - 3.8 * metal.patina_amount;
     float3 cover = gabor_impl_above(of.b.second, of.b.removed, threshold, 0.3);
-    float3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3));
+    float3 patina = gabor_impl_toned(metal.patina_colour, gabor_impl_tone(of.b.first.x, of.b.removed, 0.3));
     height += 0.003 * cover + 0.001 * of.b.first;
     lost += 9.0e-6 * gabor_impl_above_lost(of.b.second, of.b.removed, of.b.lost, threshold, 0.3) + 1.0e-6 * of.b.lost;
     return gabor_impl_material(mix(colour, patina, cover.x), height, lost, mix(metal.roughness, 0.85, cover.x),
@@ -1187,12 +1187,12 @@ inline GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushe
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 inline GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
-    float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
+    float angle = scratches.scratch_direction + scratches.direction_spread * (2.0 * fract(0.0955 + 0.763932 * float(i)) - 1.0);
     GaborPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1212,7 +1212,7 @@ inline void gabor_impl_add_scratches(thread GaborMaterial& sum, GaborScratches s
 
 inline GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     float3 height = scratches.depth * float3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost, scratches.roughness,
                                0.0);
 }
 
@@ -1233,7 +1233,7 @@ inline GaborPixel gabor_impl_hide(GaborPixel pixel, uint seed) {
 
 inline float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, float2(0.6));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
+    return zebra.orientation + zebra.bend_angle * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1245,15 +1245,15 @@ inline GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborPixel ski
 }
 
 inline GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
-    float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
+    float ragged = 0.1 * zebra.hair_contrast, relief = 0.002 * zebra.hair_contrast;
     // where it is small, a constant softness would blur the edge
     float intensity = length(float2(of.c.first.x, of.c.second.x));
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
                                   of.c.removed + ragged * ragged * intensity * intensity * of.a.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
+    float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair_contrast)
                + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
-    float3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    float3 colour = mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones), dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
 }
 
@@ -1294,11 +1294,11 @@ inline GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     float3 weighted = of.a.second + float3(0.25 * of.a.removed, 0.0, 0.0);
     float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
-    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
+    float covered = bark.moss_amount * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
     float2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
-    float3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, float3(1.0), 0.13), tone), worn);
-    float3 moss = gabor_impl_toned(bark.moss, tone);
-    float3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    float3 top = mix(gabor_impl_toned(bark.plate_colour, tone), gabor_impl_toned(mix(bark.plate_colour, float3(1.0), 0.13), tone), worn);
+    float3 moss = gabor_impl_toned(bark.moss_colour, tone);
+    float3 colour = mix(mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
     float3 coarse = float3(0.4, 0.0, 0.0) + 0.6 * plate;
     float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
@@ -1329,7 +1329,7 @@ inline GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 inline GaborPixel gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
-    float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folding;
     GaborPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, float2(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, float2(7.0, 10.0), float2(folds.w), seed, 2);
@@ -1348,12 +1348,12 @@ inline GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     float3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
     float2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
-    float3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+    float3 colour = mix(gabor_impl_toned(strata.dark_rock_colour, tones), gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
-    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
-    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+    colour = mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),
                  0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
-    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.soft_layer_colour, tones),
                  0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
     float3 height = 0.02 * of.b.second - 0.012 * soft + 0.006 * of.d.first + 0.0015 * of.e.first + 0.003 * of.a.second;
     float3 lost = 0.0004 * of.b.lost + 3.6e-5 * of.d.lost + 2.25e-6 * of.e.lost + 9.0e-6 * of.a.lost
@@ -1526,7 +1526,7 @@ inline GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal{float3(0.55, 0.555, 0.565), float3(0.14, 0.33, 0.27), 9.0, 0.09, 0.0012, 0.36, 0.0};
 }
 inline GaborScratches gabor_scratches_default() {
-    return GaborScratches{float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+    return GaborScratches{float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
                           0.3};
 }
 inline GaborZebra gabor_zebra_default() {

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 1bd760791cb1b57a.
+// naga 30.0.1 made it from GLSL with the digest 4f0d6007dd050578.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
@@ -58,19 +58,19 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    early: vec3<f32>, // colour of the early wood
-    late: vec3<f32>, // colour of the late wood
+    earlywood_colour: vec3<f32>, // colour of the early wood
+    latewood_colour: vec3<f32>, // colour of the late wood
     rings: f32, // growth rings per unit, 2 to 60
     waviness: f32, // how much the rings bend, 0 to 3
-    pores: f32, // strength of the pores, 0 to 1
+    pore_strength: f32, // strength of the pores, 0 to 1
     roughness: f32, // roughness of the early wood, 0 to 1
 }
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    warp: vec3<f32>, // colour of the threads along y
-    weft: vec3<f32>, // colour of the threads along x
+    warp_colour: vec3<f32>, // colour of the threads along y
+    weft_colour: vec3<f32>, // colour of the threads along x
     threads: f32, // threads per unit, 2 to 60
     unevenness: f32, // unevenness of the threads' thickness, shade and course, 0 to 2
     relief: f32, // height of the weave and of the cords, relative to the default, 0 to 3
@@ -81,75 +81,75 @@ struct GaborFabric {
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    pebble: vec3<f32>, // colour of the cells
-    crease: vec3<f32>, // colour between the cells
+    pebble_colour: vec3<f32>, // colour of the cells
+    crease_colour: vec3<f32>, // colour between the cells
     cells: f32, // cells per unit, 2 to 30
-    wrinkles: f32, // how much the rows of cells bend, 0 to 3
+    waviness: f32, // how much the rows of cells bend, 0 to 3
     relief: f32, // height of the cells, relative to the default, 0 to 3
     roughness: f32, // roughness of the cells, 0 to 0.7
 }
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    stone: vec3<f32>, // colour of the stone
-    vein: vec3<f32>, // colour of the darkest veins
-    veins: f32, // strength of the veins, 0 to 1.3
+    stone_colour: vec3<f32>, // colour of the stone
+    vein_colour: vec3<f32>, // colour of the darkest veins
+    vein_strength: f32, // strength of the veins, 0 to 1.3
     turbulence: f32, // how much the veins bend, 0 to 2
-    clouds: f32, // darkening by clouds, 0 to 1
+    cloud_strength: f32, // darkening by clouds, 0 to 1
     roughness: f32, // 0 to 1
 }
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    trough: vec3<f32>, // colour of the troughs
-    crest: vec3<f32>, // colour of the crests
+    trough_colour: vec3<f32>, // colour of the troughs
+    crest_colour: vec3<f32>, // colour of the crests
     ripples: f32, // ripples per unit, 1 to 20
-    relief: f32, // height of the ripples, in units, 0 to 0.2
-    grain: f32, // contrast of the grains, 0 to 0.25
+    ripple_height: f32, // height of the ripples, in units, 0 to 0.2
+    grain_contrast: f32, // contrast of the grains, 0 to 0.25
     roughness: f32, // 0 to 1
 }
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    colour: vec3<f32>, // colour of the metal
-    patina: vec3<f32>, // colour of the patina
+    metal_colour: vec3<f32>, // colour of the metal
+    patina_colour: vec3<f32>, // colour of the patina
     streaks: f32, // number of the widest streaks per unit, 1 to 50
-    contrast: f32, // contrast of the streaks, 0 to 0.5
-    relief: f32, // height of the widest streaks, in units, 0 to 0.01
+    streak_contrast: f32, // contrast of the streaks, 0 to 0.5
+    streak_height: f32, // height of the widest streaks, in units, 0 to 0.01
     roughness: f32, // roughness of the metal, 0 to 1
-    weathering: f32, // amount of patina, 0 to 1
+    patina_amount: f32, // amount of patina, 0 to 1
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    lacquer: vec3<f32>, // colour of the lacquer
-    scratch: vec3<f32>, // colour in the scratches
+    lacquer_colour: vec3<f32>, // colour of the lacquer
+    scratch_colour: vec3<f32>, // colour in the scratches
     amount: f32, // number of scratches, relative to the default, 0.01 to 8
-    reach: f32, // length of the scratches, in units, 0.3 to 10
-    direction: f32, // mean direction of the scratches, -6.2832 to 6.2832 radians
-    spread: f32, // range of the scratches' directions, 0 to 3.1416 radians
+    scratch_length: f32, // length of the scratches, in units, 0.3 to 10
+    scratch_direction: f32, // mean direction along the scratches, -6.2832 to 6.2832 radians
+    direction_spread: f32, // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
     depth: f32, // depth of the scratches, in units, 0 to 0.02
     roughness: f32, // 0 to 1
 }
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    bright: vec3<f32>, // colour between the stripes
-    stripe: vec3<f32>, // colour of the stripes
+    background_colour: vec3<f32>, // colour between the stripes
+    stripe_colour: vec3<f32>, // colour of the stripes
     stripes: f32, // stripes per unit, 0.5 to 20
-    direction: f32, // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    bends: f32, // how much the stripes' direction changes, 0 to 1.5708 radians
-    hair: f32, // contrast of the hair, 0 to 3
+    orientation: f32, // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    bend_angle: f32, // how much the stripes' direction changes, 0 to 1.5708 radians
+    hair_contrast: f32, // contrast of the hair, 0 to 3
     roughness: f32, // 0 to 1
 }
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    plate: vec3<f32>, // colour of the plates
-    furrow: vec3<f32>, // colour of the furrows
-    moss: vec3<f32>, // colour of the moss
+    plate_colour: vec3<f32>, // colour of the plates
+    furrow_colour: vec3<f32>, // colour of the furrows
+    moss_colour: vec3<f32>, // colour of the moss
     furrows: f32, // furrows per unit, 0.5 to 10
-    cover: f32, // amount of moss, 0 to 1
+    moss_amount: f32, // amount of moss, 0 to 1
     depth: f32, // depth of the furrows, in units, 0 to 0.4
     roughness: f32, // 0 to 1
 }
@@ -158,19 +158,19 @@ struct GaborBark {
 struct GaborCarbonFibre {
     colour: vec3<f32>, // colour of the fibres
     tows: f32, // tows per unit, 1 to 20
-    contrast: f32, // contrast of the fibres, 0 to 0.6
+    fibre_contrast: f32, // contrast of the fibres, 0 to 0.6
     relief: f32, // height of the tows, relative to the default, 0 to 3
     roughness: f32, // 0 to 1
 }
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    rock: vec3<f32>, // colour of the darker rock
-    sandstone: vec3<f32>, // colour of the lighter rock
-    red: vec3<f32>, // colour of the soft layers
-    pale: vec3<f32>, // colour of the thin layers
+    dark_rock_colour: vec3<f32>, // colour of the darker rock
+    light_rock_colour: vec3<f32>, // colour of the lighter rock
+    soft_layer_colour: vec3<f32>, // colour of the soft layers
+    thin_layer_colour: vec3<f32>, // colour of the thin layers
     layers: f32, // layers per unit, 1 to 30
-    folds: f32, // how much the layers bend, 0 to 3
+    folding: f32, // how much the layers bend, 0 to 3
     relief: f32, // height of the layers, relative to the default, 0 to 3
     roughness: f32, // 0 to 1
 }
@@ -1605,7 +1605,7 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     let _e38 = gabor_impl_rise(_e33, vec3<f32>(_e34, 0f, 0f));
     ring = _e38;
     let _e47 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
-    pores = (wood.pores * _e47);
+    pores = (wood.pore_strength * _e47);
     let _e55 = ring;
     within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e55));
     let _e59 = pores;
@@ -1623,12 +1623,12 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     tones = (_e89 + _e96);
     let _e99 = early;
     let _e101 = tones;
-    let _e102 = gabor_impl_toned(wood.early, _e101);
+    let _e102 = gabor_impl_toned(wood.earlywood_colour, _e101);
     let _e104 = late;
     let _e106 = tones;
-    let _e107 = gabor_impl_toned(wood.late, _e106);
+    let _e107 = gabor_impl_toned(wood.latewood_colour, _e106);
     let _e111 = deep;
-    colour_2 = (((_e99 * _e102) + (_e104 * _e107)) + ((0.45f * _e111.x) * wood.late));
+    colour_2 = (((_e99 * _e102) + (_e104 * _e107)) + ((0.45f * _e111.x) * wood.latewood_colour));
     let _e119 = ring;
     let _e122 = deep;
     height_1 = (((0.0006f * _e119) - (0.0024f * _e122)) + (0.0002f * of_.b.second));
@@ -1636,7 +1636,7 @@ fn gabor_impl_wood(board: GaborPixel, wood: GaborWood, of_: GaborPairs, seed: u3
     let _e138 = within_1;
     let _e143 = kept_2;
     let _e144 = kept_2;
-    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e136.x * _e138.x) + (0.05f * (1f - (_e143 * _e144)))));
+    depth = (((0.00000576f * wood.pore_strength) * wood.pore_strength) * ((_e136.x * _e138.x) + (0.05f * (1f - (_e143 * _e144)))));
     let _e152 = years;
     let _e154 = kept_2;
     let _e156 = gabor_impl_rise_lost(_e152.x, _e154, 0.97f);
@@ -1948,10 +1948,10 @@ fn gabor_impl_fabric(cloth: GaborPixel, count: vec2<f32>, fabric: GaborFabric, o
     let _e84 = gabor_impl_tone(of_.d.second.x, of_.d.removed, 0.12f);
     weft_tones = (_e77 + _e84);
     let _e88 = warp_tones;
-    let _e89 = gabor_impl_toned(fabric.warp, _e88);
+    let _e89 = gabor_impl_toned(fabric.warp_colour, _e88);
     warp = _e89;
     let _e92 = weft_tones;
-    let _e93 = gabor_impl_toned(fabric.weft, _e92);
+    let _e93 = gabor_impl_toned(fabric.weft_colour, _e92);
     weft = _e93;
     let _e104 = spread_2;
     let _e105 = gabor_impl_samples(_e104);
@@ -2278,10 +2278,10 @@ fn gabor_impl_carbon_fibre(cloth: GaborPixel, count: vec2<f32>, fibres: GaborCar
     let _e25 = spread_3;
     kept_5 = (1f - smoothstep(0.5f, 1f, _e25));
     unit_6 = (fibres.relief / fibres.tows);
-    let _e40 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.contrast);
+    let _e40 = gabor_impl_tone(of_.a.first.x, of_.a.removed, fibres.fibre_contrast);
     let _e41 = gabor_impl_toned(fibres.colour, _e40);
     warp_1 = _e41;
-    let _e50 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.contrast);
+    let _e50 = gabor_impl_tone(of_.b.first.x, of_.b.removed, fibres.fibre_contrast);
     let _e51 = gabor_impl_toned(fibres.colour, _e50);
     weft_1 = _e51;
     let _e62 = spread_3;
@@ -2470,7 +2470,7 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
 fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborPixel {
     var bends_1: vec2<f32>;
     var skin: GaborPixel;
-    bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
+    bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.waviness);
     let _e11 = bends_1;
     let _e15 = gabor_impl_warp(pixel, vec2(0.9f), vec2(_e11.x), seed, 0i);
     skin = _e15;
@@ -2701,9 +2701,9 @@ fn gabor_impl_leather(pixel: GaborPixel, skin: GaborPixel, leather: GaborLeather
     let _e238 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
     tones_1 = (_e231 + _e238);
     let _e242 = tones_1;
-    let _e243 = gabor_impl_toned(leather.crease, _e242);
+    let _e243 = gabor_impl_toned(leather.crease_colour, _e242);
     let _e245 = tones_1;
-    let _e246 = gabor_impl_toned(leather.pebble, _e245);
+    let _e246 = gabor_impl_toned(leather.pebble_colour, _e245);
     let _e247 = share;
     colour_5 = mix(_e243, _e246, vec3(_e247));
     let _e254 = lost_8;
@@ -2852,10 +2852,10 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
     var clouds: f32;
     var colour_6: vec3<f32>;
     let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
-    clouds = (marble.clouds * _e8.x);
+    clouds = (marble.cloud_strength * _e8.x);
     let _e14 = clouds;
     let _e21 = gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f);
-    let _e22 = gabor_impl_toned((marble.stone * (1f - _e14)), _e21);
+    let _e22 = gabor_impl_toned((marble.stone_colour * (1f - _e14)), _e21);
     colour_6 = _e22;
     let _e24 = colour_6;
     let _e33 = gabor_impl_material(_e24, (0.00012f * crystal.second), (0.0000000144f * crystal.lost), marble.roughness, 0f);
@@ -2912,7 +2912,7 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
         local_71 = _e42;
     }
     let _e44 = local_71;
-    strength = (marble.veins * _e44);
+    strength = (marble.vein_strength * _e44);
     if (i == 4i) {
         local_74 = 0.5f;
     } else {
@@ -2944,7 +2944,7 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
     let _e90 = gabor_impl_line(vein.first, vein.removed, _e88.x);
     let _e93 = strength;
     strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
-    halo = mix(marble.stone, marble.vein, vec3(0.65f));
+    halo = mix(marble.stone_colour, marble.vein_colour, vec3(0.65f));
     if (i == 4i) {
         local_77 = 0.9f;
     } else {
@@ -2963,7 +2963,7 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
         local_77 = _e118;
     }
     let _e120 = local_77;
-    core = mix(marble.stone, marble.vein, vec3(_e120));
+    core = mix(marble.stone_colour, marble.vein_colour, vec3(_e120));
     let _e125 = (*stone);
     let _e127 = strength;
     let _e129 = halo;
@@ -3115,13 +3115,13 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e81 = (((1f / _e74) - (1f / _e77)) * _e80);
     let _e86 = gabor_impl_rise(_e70, (_e71 * vec3<f32>(1f, _e81.x, _e81.y)));
     ripple = _e86;
-    let _e94 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
+    let _e94 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain_contrast);
     let _e101 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
     tones_2 = (_e94 + _e101);
     let _e105 = tones_2;
-    let _e106 = gabor_impl_toned(sand.trough, _e105);
+    let _e106 = gabor_impl_toned(sand.trough_colour, _e105);
     let _e108 = tones_2;
-    let _e109 = gabor_impl_toned(sand.crest, _e108);
+    let _e109 = gabor_impl_toned(sand.crest_colour, _e108);
     let _e110 = ripple;
     colour_7 = mix(_e106, _e109, vec3(_e110.x));
     let _e121 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
@@ -3130,15 +3130,15 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     bright = _e131.x;
     let _e134 = colour_7;
     let _e141 = dark;
-    colour_7 = mix(_e134, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e141)));
+    colour_7 = mix(_e134, (0.23f * sand.trough_colour), vec3(((3.75f * sand.grain_contrast) * _e141)));
     let _e145 = colour_7;
     let _e155 = bright;
-    colour_7 = mix(_e145, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e155)));
-    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
+    colour_7 = mix(_e145, mix(sand.crest_colour, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain_contrast) * _e155)));
+    tall = (vec3<f32>(sand.ripple_height, 0f, 0f) + ((0.2f * sand.ripple_height) * of_.a.first));
     let _e171 = ripple;
     let _e172 = tall;
     let _e173 = gabor_impl_times(_e171, _e172);
-    height_6 = ((_e173 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
+    height_6 = ((_e173 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain_contrast) * of_.b.first));
     wave_19 = (ripples.density * ripples.wave);
     let _e191 = wave_19;
     let _e195 = wave_19;
@@ -3156,7 +3156,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e227 = span_3;
     let _e229 = gabor_impl_rise_lost(_e225.x, _e227, 0.9f);
     let _e231 = square_6;
-    lost_9 = (((((_e220.x * _e222.x) * _e229) * _e231) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
+    lost_9 = (((((_e220.x * _e222.x) * _e229) * _e231) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain_contrast) * sand.grain_contrast) * of_.b.lost));
     let _e248 = colour_7;
     let _e249 = height_6;
     let _e250 = lost_9;
@@ -3231,7 +3231,7 @@ fn gabor_impl_metal_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, s
 // The layers that the metal needs.
 fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
     var local_78: i32;
-    if (metal.weathering > 0f) {
+    if (metal.patina_amount > 0f) {
         local_78 = 11i;
     } else {
         local_78 = 5i;
@@ -3273,24 +3273,24 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborPairs) -> GaborM
     var threshold_2: f32;
     var cover: vec3<f32>;
     var patina: vec3<f32>;
-    let _e9 = gabor_impl_tone(of_.a.second.x, of_.a.removed, metal.contrast);
-    let _e10 = gabor_impl_toned(metal.colour, _e9);
+    let _e9 = gabor_impl_tone(of_.a.second.x, of_.a.removed, metal.streak_contrast);
+    let _e10 = gabor_impl_toned(metal.metal_colour, _e9);
     colour_8 = _e10;
-    height_7 = (metal.relief * of_.a.first);
-    lost_10 = ((metal.relief * metal.relief) * of_.a.lost);
-    if (metal.weathering <= 0f) {
+    height_7 = (metal.streak_height * of_.a.first);
+    lost_10 = ((metal.streak_height * metal.streak_height) * of_.a.lost);
+    if (metal.patina_amount <= 0f) {
         let _e27 = colour_8;
         let _e28 = height_7;
         let _e29 = lost_10;
         let _e32 = gabor_impl_material(_e27, _e28, _e29, metal.roughness, 1f);
         return _e32;
     }
-    threshold_2 = (2.4f - (3.8f * metal.weathering));
+    threshold_2 = (2.4f - (3.8f * metal.patina_amount));
     let _e43 = threshold_2;
     let _e45 = gabor_impl_above(of_.b.second, of_.b.removed, _e43, 0.3f);
     cover = _e45;
     let _e54 = gabor_impl_tone(of_.b.first.x, of_.b.removed, 0.3f);
-    let _e55 = gabor_impl_toned(metal.patina, _e54);
+    let _e55 = gabor_impl_toned(metal.patina_colour, _e54);
     patina = _e55;
     let _e57 = height_7;
     let _e59 = cover;
@@ -3358,26 +3358,26 @@ fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratch
     var at_16: GaborPixel;
     var local_79: f32;
     var bend_3: f32;
-    angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
-    let _e17 = angle_1;
-    let _e18 = gabor_impl_turned(pixel, _e17);
-    at_16 = _e18;
-    let _e20 = at_16;
-    if (_e20.period.y > 0f) {
-        let _e27 = at_16;
-        local_79 = min(0.17f, (0.02f * _e27.period.y));
+    angle_1 = (scratches.scratch_direction + (scratches.direction_spread * ((2f * fract((0.0955f + (0.763932f * f32(i))))) - 1f)));
+    let _e19 = angle_1;
+    let _e20 = gabor_impl_turned(pixel, _e19);
+    at_16 = _e20;
+    let _e22 = at_16;
+    if (_e22.period.y > 0f) {
+        let _e29 = at_16;
+        local_79 = min(0.17f, (0.02f * _e29.period.y));
     } else {
         local_79 = 0.17f;
     }
-    let _e34 = local_79;
-    bend_3 = _e34;
-    let _e36 = at_16;
-    let _e41 = bend_3;
-    let _e45 = gabor_impl_warp(_e36, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e41), seed, (2i * i));
-    at_16 = _e45;
-    let _e47 = at_16;
-    let _e62 = gabor_impl_spots_layer(0i, _e47, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
-    return _e62;
+    let _e36 = local_79;
+    bend_3 = _e36;
+    let _e38 = at_16;
+    let _e43 = bend_3;
+    let _e47 = gabor_impl_warp(_e38, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, _e43), seed, (2i * i));
+    at_16 = _e47;
+    let _e49 = at_16;
+    let _e64 = gabor_impl_spots_layer(0i, _e49, (vec2<f32>((1f / scratches.scratch_length), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
+    return _e64;
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -3430,7 +3430,7 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
     lost_11 = ((scratches.depth * scratches.depth) * sum.lost);
     let _e20 = height_8;
     let _e21 = lost_11;
-    let _e24 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), _e20, _e21, scratches.roughness, 0f);
+    let _e24 = gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), _e20, _e21, scratches.roughness, 0f);
     return _e24;
 }
 
@@ -3475,7 +3475,7 @@ fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32)
     let _e9 = place_19;
     let _e11 = gabor_derived_seed(seed, 1i);
     let _e12 = gabor_impl_spots(_e9, _e11);
-    return (zebra.direction + (zebra.bends * _e12.quadrature));
+    return (zebra.orientation + (zebra.bend_angle * _e12.quadrature));
 }
 
 // Hair, tone and stripes.
@@ -3500,8 +3500,8 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     var dark_1: f32;
     var tones_3: vec2<f32>;
     var colour_9: vec3<f32>;
-    ragged = (0.1f * zebra.hair);
-    relief_1 = (0.002f * zebra.hair);
+    ragged = (0.1f * zebra.hair_contrast);
+    relief_1 = (0.002f * zebra.hair_contrast);
     intensity_1 = length(vec2<f32>(of_.c.first.x, of_.c.second.x));
     let _e21 = ragged;
     let _e22 = intensity_1;
@@ -3512,13 +3512,13 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     let _e44 = intensity_1;
     let _e47 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((((_e30 * _e31) * _e33) * _e35) * of_.a.removed)), 0f, (0.01f + (0.09f * _e44)));
     dark_1 = _e47.x;
-    let _e58 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
+    let _e58 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair_contrast));
     let _e65 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
     tones_3 = (_e58 + _e65);
     let _e69 = tones_3;
-    let _e70 = gabor_impl_toned(zebra.bright, _e69);
+    let _e70 = gabor_impl_toned(zebra.background_colour, _e69);
     let _e72 = tones_3;
-    let _e73 = gabor_impl_toned(zebra.stripe, _e72);
+    let _e73 = gabor_impl_toned(zebra.stripe_colour, _e72);
     let _e74 = dark_1;
     colour_9 = mix(_e70, _e73, vec3(_e74));
     let _e78 = colour_9;
@@ -3645,20 +3645,20 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e60 = gabor_impl_above(_e55, of_.a.removed, 0.5f, 0.4f);
     worn = (0.5f * _e60.x);
     let _e71 = gabor_impl_above(of_.b.second, of_.b.removed, 0.9f, 0.5f);
-    covered = (bark.cover * _e71.x);
+    covered = (bark.moss_amount * _e71.x);
     let _e81 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.25f);
     tone_1 = _e81;
     let _e84 = tone_1;
-    let _e85 = gabor_impl_toned(bark.plate, _e84);
+    let _e85 = gabor_impl_toned(bark.plate_colour, _e84);
     let _e92 = tone_1;
-    let _e93 = gabor_impl_toned(mix(bark.plate, vec3(1f), vec3(0.13f)), _e92);
+    let _e93 = gabor_impl_toned(mix(bark.plate_colour, vec3(1f), vec3(0.13f)), _e92);
     let _e94 = worn;
     top_1 = mix(_e85, _e93, vec3(_e94));
     let _e99 = tone_1;
-    let _e100 = gabor_impl_toned(bark.moss, _e99);
+    let _e100 = gabor_impl_toned(bark.moss_colour, _e99);
     moss = _e100;
     let _e103 = tone_1;
-    let _e104 = gabor_impl_toned(bark.furrow, _e103);
+    let _e104 = gabor_impl_toned(bark.furrow_colour, _e103);
     let _e105 = moss;
     let _e106 = covered;
     let _e109 = top_1;
@@ -3766,7 +3766,7 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
 fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborPixel {
     var folds: vec4<f32>;
     var rock: GaborPixel;
-    folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
+    folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folding);
     let _e15 = folds;
     let _e19 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), seed, 0i);
     rock = _e19;
@@ -3827,24 +3827,24 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     let _e23 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.11f);
     tones_4 = (_e16 + _e23);
     let _e27 = tones_4;
-    let _e28 = gabor_impl_toned(strata.rock, _e27);
+    let _e28 = gabor_impl_toned(strata.dark_rock_colour, _e27);
     let _e30 = tones_4;
-    let _e31 = gabor_impl_toned(strata.sandstone, _e30);
+    let _e31 = gabor_impl_toned(strata.light_rock_colour, _e30);
     let _e38 = gabor_impl_above(of_.b.first, of_.b.removed, 0f, 0.5f);
     colour_11 = mix(_e28, _e31, vec3(_e38.x));
     let _e43 = colour_11;
     let _e45 = tones_4;
-    let _e46 = gabor_impl_toned(strata.red, _e45);
+    let _e46 = gabor_impl_toned(strata.soft_layer_colour, _e45);
     let _e48 = soft;
     colour_11 = mix(_e43, _e46, vec3((0.8f * _e48.x)));
     let _e53 = colour_11;
     let _e55 = tones_4;
-    let _e56 = gabor_impl_toned(strata.pale, _e55);
+    let _e56 = gabor_impl_toned(strata.thin_layer_colour, _e55);
     let _e64 = gabor_impl_above(of_.d.first, of_.d.removed, 1f, 0.2f);
     colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
     let _e69 = colour_11;
     let _e73 = tones_4;
-    let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
+    let _e74 = gabor_impl_toned((0.75f * strata.soft_layer_colour), _e73);
     let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
     colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
     let _e92 = soft;
@@ -4397,7 +4397,7 @@ fn gabor_brushed_metal_default() -> GaborBrushedMetal {
     return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), vec3<f32>(0.14f, 0.33f, 0.27f), 9f, 0.09f, 0.0012f, 0.36f, 0f);
 }
 fn gabor_scratches_default() -> GaborScratches {
-    return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);
+    return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 1.5707964f, 0.0025f, 0.3f);
 }
 fn gabor_zebra_default() -> GaborZebra {
     return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);

@@ -94,10 +94,10 @@ class Arguments(ErrorTest):
                                (["--view=torus", "--solid"], "torus")):
             self.refuse_render([f"--recipe requires the flat or horizon view of noise, not {other}"], "--recipe=one", *options)
         self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
-        self.refuse_render(["--boards.width requires a material with boards, not wood without boards"], "--material=wood", "--boards.width=1")
+        self.refuse_render(["--boards.board-width requires a material with boards, not wood without boards"], "--material=wood", "--boards.board-width=1")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
-            self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")
+            self.refuse_render([f"--wood.earlywood-colour '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.earlywood-colour={colour}")
         (self.folder / "lobes.json").write_text("[{}, {}, {}]")
         self.refuse_render(["frequency requires a single lobe, not 3"], "--lobes=lobes.json", "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
@@ -164,8 +164,8 @@ class LikeFiles(ErrorTest):
     def test_parameters(self):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
                  ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),
-                 ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "#rrggbb"]),
-                 ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "#rrggbb"]),
+                 ('{"material": "wood", "wood.earlywood_colour": [1, 2]}', ["wood.earlywood_colour '[1,2]'", "#rrggbb"]),
+                 ('{"material": "wood", "wood.earlywood_colour": "blue"}', ["wood.earlywood_colour 'blue'", "#rrggbb"]),
                  ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
                  ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
                  ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]),

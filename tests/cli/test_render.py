@@ -31,11 +31,11 @@ class Materials(RenderTest):
     def test_parameters(self):
         plain = self.render("--material=wood", size="64x64", scale=16)
         self.assertEqual(plain.parameters["wood.rings"], 13)
-        other = self.render("--material=wood", "--wood.early=#0b0A80", "--wood.late=0.25,0.5,1", "--wood.rings=30", size="64x64",
+        other = self.render("--material=wood", "--wood.earlywood-colour=#0b0A80", "--wood.latewood-colour=0.25,0.5,1", "--wood.rings=30", size="64x64",
                             scale=16)
         # The conversion to linear light is that of the sRGB standard, IEC 61966-2-1.
-        np.testing.assert_allclose(other.parameters["wood.early"], [0.003346536, 0.003035270, 0.2158605], rtol=1e-6)
-        self.assertEqual(other.parameters["wood.late"], [0.25, 0.5, 1])
+        np.testing.assert_allclose(other.parameters["wood.earlywood_colour"], [0.003346536, 0.003035270, 0.2158605], rtol=1e-6)
+        self.assertEqual(other.parameters["wood.latewood_colour"], [0.25, 0.5, 1])
         self.assertEqual(other.parameters["wood.rings"], 30)
         self.assertFalse(np.allclose(other.channels["R"], plain.channels["R"]))
         again = self.render("--like=out.exr", output="again.exr")
@@ -134,7 +134,7 @@ class Like(RenderTest):
         every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.width=0.8"]]
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]

@@ -233,8 +233,8 @@ float kept(GaborMaterial m) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborBoard b) {
-    return kept(b.p) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
-           + b.joint.x + (b.joint.y + 0.7f * b.joint.z) / (1.0f + abs(b.joint.y) + abs(b.joint.z)); // its edges may be steep
+    return kept(b.p) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.rotation) + b.shade
+           + b.joint_cover.x + (b.joint_cover.y + 0.7f * b.joint_cover.z) / (1.0f + abs(b.joint_cover.y) + abs(b.joint_cover.z)); // its edges may be steep
 }
 #endif
 
@@ -452,7 +452,7 @@ void see_all(int i) {
     MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at)
     MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at)
     GaborBoards boards = gabor_boards_default();
-    boards.turns = 0.5f;
+    boards.turned_share = 0.5f;
     GaborBoard board = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), period, boards, s.seed);
     GaborBoard blurred = gabor_board(p, dx, dy, vec2(0.0f, 0.0f), boards, s.seed);
     GaborMaterial metal = gabor_brushed_metal(p, s.seed), stone = gabor_marble(p, s.seed);

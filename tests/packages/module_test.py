@@ -110,7 +110,7 @@ class Arrays(unittest.TestCase):
                 continue
             tested += 1
             values = np.linspace(float(low), float(high), 7)[1:6:2] if low else np.eye(3)
-            needed = {"weathering": 0.5} if parameter == "patina" else {}
+            needed = {"patina_amount": 0.5} if parameter == "patina_colour" else {}
             with self.subTest(name, parameter=parameter):
                 self.check(gn.material, dict(name=name, x=x, y=y, pixel=0.02, seed=3, **needed), parameter, values, not low)
         self.assertGreater(tested, 70)
