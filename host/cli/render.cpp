@@ -131,18 +131,18 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-// The output files of -o, --png and --heightmap.
+// The output files of -o, --png and --write-heightmap.
 render::Files files_of(const RenderOptions& options) {
     using Output = std::pair<const char*, const std::optional<std::string>&>;
     const std::array outputs{Output{"-o", options.output}, Output{"--png", options.png},
-                             Output{"--heightmap", options.heightmap}};
+                             Output{"--write-heightmap", options.heightmap}};
     for (const auto& [name, path] : outputs)
         for (const auto& [other_name, other] : outputs)
             if (&path != &other && path && other && same_file(*path, *other))
                 throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
                                                other_name, *path));
     if (options.elevation && !options.heightmap)
-        throw RequestError("--elevation requires --heightmap");
+        throw RequestError("--elevation requires --write-heightmap");
 
     render::Files files;
     if (options.output) {
@@ -186,7 +186,7 @@ void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.heightmap || options.elevation || options.region ||
         options.frames || options.level)
         throw RequestError(
-            "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
+            "--maps writes a whole set of maps: it cannot be combined with -o, --png, --write-heightmap, "
             "--elevation, --region, --frames or --level");
     const std::string bits = options.normal_bits.value_or("16");
     if (bits != "8" && bits != "16")
@@ -278,7 +278,7 @@ void add_render_command(CLI::App& app) {
 Examples:
   gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
   gabor render --material wood --wood.rings 20 --metres 0.5 --maps wood
-  gabor render --view terrain --preset canyon --png canyon.png --heightmap canyon.r16
+  gabor render --view terrain --preset canyon --png canyon.png --write-heightmap canyon.r16
 
 `gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
 terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in --no-tileable.
@@ -320,9 +320,10 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("View and light", render::Parameter::Group::view);
     parameters("View and light", render::Parameter::Group::light);
     parameters("Terrain", render::Parameter::Group::terrain);
-    option("--heightmap", options->heightmap, "FILE",
-           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it (for the "
-           "terrain view)");
+    option(
+        "--write-heightmap", options->heightmap, "FILE",
+        "Also write 16-bit heights to this PNG or .r16, with their scale in a .json file beside it (for the "
+        "terrain view)");
     add_elevation_option(*command, options->elevation, "the full possible range");
     parameters("Ocean", render::Parameter::Group::sea);
 

@@ -89,7 +89,7 @@ void render_file(const vulkan::Device& device, const Request& request, const ima
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
         if (!has_terrain(request) || !is_flat(request.view))
-            throw RequestError("a heightmap requires the terrain view");
+            throw RequestError("--write-heightmap requires the terrain view");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(request));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),

@@ -306,8 +306,8 @@ std::vector<Parameter> view_rows() {
             in_views(&Body::pitch, &Terrain::pitch, &Sea::pitch)),
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
             "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom, &Sea::zoom)),
-        row("focal_length", Kind::number, "longer sides of the picture", {0.1, 10}, {0.3, 3}, scopes::cameras,
-            "Focal length of the camera: shorter is wider",
+        row("focal_length", Kind::number, "millimetres", {3.6, 360}, {10, 100}, scopes::cameras,
+            "Focal length of the camera, whose sensor's longer side has 36 mm: shorter is wider",
             in_views(&Terrain::focal_length, &Sea::focal_length)),
         row("filter", Kind::flag, "", none, none, scopes::filtered,
             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "

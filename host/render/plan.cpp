@@ -342,9 +342,10 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
         push.center.y *= 1.3f; // leaves room for the sky
         push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
         push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
-        push.distance = static_cast<float>(terrain.focal_length * std::max(request.width, request.height) /
-                                           request.scale / terrain.zoom);
-        push.pixel = static_cast<float>(viewport.stride / (terrain.focal_length * side));
+        push.distance =
+            static_cast<float>(focal_ratio(terrain.focal_length) * std::max(request.width, request.height) /
+                               request.scale / terrain.zoom);
+        push.pixel = static_cast<float>(viewport.stride / (focal_ratio(terrain.focal_length) * side));
     }
     Constants constants{};
     constants[passes::view_id] = view_constant(request.view);
@@ -363,7 +364,7 @@ void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
     push.pitch = direction(noise::radians(sea.pitch));
     push.sun = vec2_of(light_direction(request));
     push.altitude = static_cast<float>(sea.altitude);
-    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * sea.focal_length * side));
+    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * focal_ratio(sea.focal_length) * side));
     push.second = static_cast<int>(second);
     push.fraction = static_cast<float>(request.time - second);
     push.seed = request.seed;

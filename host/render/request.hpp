@@ -54,7 +54,7 @@ struct Terrain {
     double yaw = 215;      ///< camera azimuth in degrees; only in perspective
     double pitch = 20;     ///< camera elevation, in degrees
     double zoom = 1;       ///< 1 shows about as much as the view from above
-    double focal_length = 0.8; ///< of the camera, relative to the longer side of the picture
+    double focal_length = 28.8; ///< of the camera, in mm: see `focal_ratio`
     bool operator==(const Terrain&) const = default;
 };
 
@@ -70,7 +70,7 @@ struct Sea {
     double yaw = 250;            ///< camera azimuth in degrees
     double pitch = 6;            ///< angle by which the camera looks down, in degrees
     double zoom = 1;             ///< factor of the focal length
-    double focal_length = 0.8;   ///< of the camera, relative to the longer side of the picture
+    double focal_length = 28.8;  ///< of the camera, in mm: see `focal_ratio`
     bool operator==(const Sea&) const = default;
 };
 
@@ -166,6 +166,11 @@ Request from_above(Request request);
 
 /// The shortest side of a tile, in kernel radii; 0 for a material, which fits any tile.
 double least_tile(const Request& request);
+
+/// A focal length relative to the longer side of the picture, for a sensor whose longer side has 36 mm.
+constexpr double focal_ratio(double millimetres) {
+    return millimetres / 36;
+}
 
 /// The number of a terrain's height units per kernel radius.
 double terrain_unit(const Request& request);

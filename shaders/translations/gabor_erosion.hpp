@@ -7,7 +7,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     vec4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     vec4 cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -33,19 +33,19 @@ struct GaborTerrain {
 
 struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
-    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    float strength;        // how far peaks rise and valleys sink, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
                            // equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
                            // rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
                            // even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
-    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    float gully_weight;    // depth of gullies, as a share of how far peaks rise and valleys sink, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
@@ -63,7 +63,7 @@ struct GaborErosion {
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// vec4 gabor_ground(GaborTerrain terrain)
+// vec4 gabor_ground_cover(GaborTerrain terrain)
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
 //     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
 //     those of gabor_terrain.
@@ -261,12 +261,12 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
     gabor_vec2 steer = base.slope, steer_x = base.curvature.xy(), steer_y = base.curvature.yz();
     float gully = base.ridge, ridge = base.ridge, sum = 0.0f; // t_i, t_i with w = 1, sum_i depth_i t_i
     gabor_vec2 gully_slope = base.ridge_slope, sum_slope = gabor_vec2(0.0f);
-    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float frequency = erosion.gully_frequency, depth = erosion.strength / erosion.gully_frequency;
     float mask = 1.0f, open = 1.0f, rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
     gabor_vec2 mask_slope = gabor_vec2(0.0f), open_slope = gabor_vec2(0.0f);
     float rounded = 0.5f * (erosion.ridge_rounding - erosion.crease_rounding), peak = gabor_cpp_clamp(base.ridge, 0.0f, 1.0f);
     gabor_vec2 rounding_slope = rounded * base.ridge_slope;
-    float per_onset = 1.0f / gabor_cpp_max(erosion.onset, 1.0e-6f);
+    float per_onset = 1.0f / gabor_cpp_max(erosion.onset_slope, 1.0e-6f);
     for (int i = 0; i < erosion.octaves; ++i) {
         float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f);
         gabor_vec2 down = steer / steep, across = gabor_vec2(-down.y, down.x);
@@ -309,7 +309,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         steer -= turn * wave;
         steer_x += turn * bend.x * down - turn_slope.x * wave;
         steer_y += turn * bend.y * down - turn_slope.y * wave;
-        float wide = frequency / erosion.frequency;
+        float wide = frequency / erosion.gully_frequency;
         rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * z.x);
         rounding_slope = rounded * gabor_vec2(z_x.x, z_y.x);
         gabor_vec3 edge = gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), wide * rounding);
@@ -338,7 +338,7 @@ GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborEro
     return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
 }
 
-GABOR_INLINE gabor_vec4 gabor_ground(GaborTerrain terrain) {
+GABOR_INLINE gabor_vec4 gabor_ground_cover(GaborTerrain terrain) {
     float steep = gabor_cpp_length(terrain.slope);
     float scree = gabor_cpp_smoothstep(-0.3f, 0.35f, terrain.height + 0.1f * terrain.ridge), rock = gabor_cpp_smoothstep(0.55f, 1.0f, steep);
     float snow = gabor_cpp_smoothstep(0.42f, 0.62f, terrain.height + 0.08f * terrain.ridge) * (1.0f - gabor_cpp_smoothstep(1.0f, 1.9f, steep));

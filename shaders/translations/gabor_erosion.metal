@@ -6,7 +6,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     float4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     float4 cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -34,19 +34,19 @@ struct GaborTerrain {
 
 struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
-    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    float strength;        // how far peaks rise and valleys sink, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
                            // equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
                            // rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
                            // even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
-    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    float gully_weight;    // depth of gullies, as a share of how far peaks rise and valleys sink, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
@@ -64,7 +64,7 @@ struct GaborErosion {
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// float4 gabor_ground(GaborTerrain terrain)
+// float4 gabor_ground_cover(GaborTerrain terrain)
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
 //     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
 //     those of gabor_terrain.
@@ -262,12 +262,12 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
     float2 steer = base.slope, steer_x = base.curvature.xy, steer_y = base.curvature.yz;
     float gully = base.ridge, ridge = base.ridge, sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
     float2 gully_slope = base.ridge_slope, sum_slope = float2(0.0);
-    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float frequency = erosion.gully_frequency, depth = erosion.strength / erosion.gully_frequency;
     float mask = 1.0, open = 1.0, rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     float2 mask_slope = float2(0.0), open_slope = float2(0.0);
     float rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding), peak = clamp(base.ridge, 0.0, 1.0);
     float2 rounding_slope = rounded * base.ridge_slope;
-    float per_onset = 1.0 / max(erosion.onset, 1.0e-6);
+    float per_onset = 1.0 / max(erosion.onset_slope, 1.0e-6);
     for (int i = 0; i < erosion.octaves; ++i) {
         float steep = max(length(steer), 1.0e-9);
         float2 down = steer / steep, across = float2(-down.y, down.x);
@@ -310,7 +310,7 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
         steer -= turn * wave;
         steer_x += turn * bend.x * down - turn_slope.x * wave;
         steer_y += turn * bend.y * down - turn_slope.y * wave;
-        float wide = frequency / erosion.frequency;
+        float wide = frequency / erosion.gully_frequency;
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         rounding_slope = rounded * float2(z_x.x, z_y.x);
         float3 edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
@@ -339,7 +339,7 @@ inline GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosi
     return gabor_eroded_at(GaborTerrainPlace{int2(0), p, float2(0.0)}, float2(0.0), float2(0.0), base, erosion, seed);
 }
 
-inline float4 gabor_ground(GaborTerrain terrain) {
+inline float4 gabor_ground_cover(GaborTerrain terrain) {
     float steep = length(terrain.slope);
     float scree = smoothstep(-0.3, 0.35, terrain.height + 0.1 * terrain.ridge), rock = smoothstep(0.55, 1.0, steep);
     float snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));

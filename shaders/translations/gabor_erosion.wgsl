@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 030fbe6087190b86.
+// naga 30.0.1 made it from GLSL with the digest 9134a01e9b699f92.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -8,7 +8,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     vec4f cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     vec4f cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -26,16 +26,16 @@ struct GaborTerrain {
 
 struct GaborErosion {
     octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
-    frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    strength: f32, // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    gully_frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    strength: f32, // how far peaks rise and valleys sink, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-    onset: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+    onset_slope: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
     detail: f32, // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
     ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
     crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
-    gully_weight: f32, // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    gully_weight: f32, // depth of gullies, as a share of how far peaks rise and valleys sink, 0 to 1
     branching: f32, // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 }
 
@@ -53,7 +53,7 @@ struct GaborErosion {
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// vec4f gabor_ground(GaborTerrain terrain)
+// vec4f gabor_ground_cover(GaborTerrain terrain)
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep, elsewhere
 //     scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from -1 to 1, as
 //     those of gabor_terrain.
@@ -649,14 +649,14 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     gully = base.ridge;
     ridge = base.ridge;
     gully_slope = base.ridge_slope;
-    frequency_6 = erosion.frequency;
-    depth = (erosion.strength / erosion.frequency);
+    frequency_6 = erosion.gully_frequency;
+    depth = (erosion.strength / erosion.gully_frequency);
     rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * base.ridge)));
     rounded_1 = (0.5f * (erosion.ridge_rounding - erosion.crease_rounding));
     peak = clamp(base.ridge, 0f, 1f);
     let _e61 = rounded_1;
     rounding_slope = (_e61 * base.ridge_slope);
-    per_onset = (1f / max(erosion.onset, 0.000001f));
+    per_onset = (1f / max(erosion.onset_slope, 0.000001f));
     loop {
         let _e73 = i;
         if !((_e73 < erosion.octaves)) {
@@ -856,7 +856,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             let _e423 = wave_7;
             steer_y = (_e414 + (((_e415 * _e416.y) * _e419) - (_e421.y * _e423)));
             let _e427 = frequency_6;
-            wide = (_e427 / erosion.frequency);
+            wide = (_e427 / erosion.gully_frequency);
             let _e435 = z_1;
             rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e435.x)));
             let _e440 = rounded_1;
@@ -928,7 +928,7 @@ fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u
     return _e13;
 }
 
-fn gabor_ground(terrain: GaborTerrain) -> vec4<f32> {
+fn gabor_ground_cover(terrain: GaborTerrain) -> vec4<f32> {
     var steep_1: f32;
     var scree: f32;
     var rock: f32;

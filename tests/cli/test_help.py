@@ -12,7 +12,7 @@ from program import ProgramTest
 
 COMMANDS = ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
 
-GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--uniformity", "--ridge-rounding",
+GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset-slope", "--detail", "--uniformity", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
 
 
@@ -32,7 +32,7 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover", "--boards",
+                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--boards",
                               "--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude",
                               "--maps", "--metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
@@ -69,7 +69,7 @@ class Help(ProgramTest):
     def test_leaving_an_option_out_is_the_same_as_giving_its_default(self):
         write_exr(self.folder / "map.exr", {"Y": np.random.default_rng(1).random((24, 24), "f4")})
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
-        terrain = ["--view=terrain", "--heightmap=out.png"]
+        terrain = ["--view=terrain", "--write-heightmap=out.png"]
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
                  **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}

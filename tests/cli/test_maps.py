@@ -240,7 +240,7 @@ class Maps(RenderTest):
         for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
                                (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
                                *((["--maps", "combined with -o"], ["--material=wood", *other]) for other in
-                                 (["-o", "a.exr"], ["--png=a.png"], ["--heightmap=a.png"], ["--elevation=0,1"],
+                                 (["-o", "a.exr"], ["--png=a.png"], ["--write-heightmap=a.png"], ["--elevation=0,1"],
                                   ["--region=0,0,8,8"], ["--frames=2"], ["--level=1"]))):
             self.assert_refused(words, "render", "--maps", "set", *options)
             self.assertEqual(self.files(), {})

@@ -302,8 +302,8 @@ class Messages(RenderTest):
         self.assertRegex(stdout, r"\Aout\.exr: 11 x 13 pixels, recipe paper, on [^\n]+\n\Z")
         name = self.devices()[0][1]
         for options, said in ((["-o", "a.png", "--material=scratches"], "a.png: 12 x 8 pixels, material scratches"),
-                              (["--heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
-                              (["--png=c.png", "--heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
+                              (["--write-heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
+                              (["--png=c.png", "--write-heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
                               (["-o", "e.exr", "--png=f.png", "--view=slice"], "e.exr: 12 x 8 pixels, recipe lattice"),
                               (["--maps=h", "--material=scratches"], "h: maps of 12 x 8 pixels, material scratches")):
             self.assertEqual(self.succeed("render", "--size=12x8", "--device=0", *options), f"{said}, on {name}\n")

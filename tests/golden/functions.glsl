@@ -368,11 +368,11 @@ void see_all(int i) {
     GaborErosion erosion = gabor_erosion();
     if (i % 4 == 1) { // no parameter has its default
         erosion.octaves = 1 + i / 4 % 6;
-        erosion.frequency = drawn(i, 34, 0.2f, 5.0f);
+        erosion.gully_frequency = drawn(i, 34, 0.2f, 5.0f);
         erosion.strength = drawn(i, 35, 0.0f, 1.0f);
         erosion.lacunarity = drawn(i, 36, 1.5f, 3.0f);
         erosion.gain = drawn(i, 37, 0.3f, 0.7f);
-        erosion.onset = drawn(i, 38, 0.05f, 1.0f);
+        erosion.onset_slope = drawn(i, 38, 0.05f, 1.0f);
         erosion.detail = drawn(i, 39, 1.0f, 4.0f);
         erosion.uniformity = drawn(i, 40, 0.5f, 4.0f);
         erosion.ridge_rounding = drawn(i, 41, 0.0f, 1.0f);
@@ -395,17 +395,17 @@ void see_all(int i) {
     SEE(kept(base))
     SEE(kept(gabor_terrain_at(ground, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
-    vec4 ground_shares = gabor_ground(base);
+    vec4 ground_shares = gabor_ground_cover(base);
     SEE(ground_shares.x + 2.0f * ground_shares.y + 3.0f * ground_shares.z + 4.0f * ground_shares.w)
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
     GaborErosion any;
     any.octaves = i % 7;
-    any.frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
+    any.gully_frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
     any.strength = drawn_to_ends(i, 61, 0.0f, 0.5f);
     any.lacunarity = drawn_to_ends(i, 62, 1.0f, 4.0f);
     any.gain = drawn_to_ends(i, 63, 0.0f, 1.0f);
-    any.onset = drawn_to_ends(i, 64, 0.05f, 4.0f);
+    any.onset_slope = drawn_to_ends(i, 64, 0.05f, 4.0f);
     any.detail = drawn_to_ends(i, 65, 0.1f, 10.0f);
     any.uniformity = drawn_to_ends(i, 66, 0.0f, 8.0f);
     any.ridge_rounding = drawn_to_ends(i, 67, 0.0f, 2.0f);

@@ -57,7 +57,7 @@ CASES = [
     (gn.water_height, POINTS | dict(swell=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
 ]
 EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
-               onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
+               onset_slope=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
                crease_rounding=[0.0, 0.4, 2.0], gully_weight=[0.0, 0.5, 1.0], branching=[0.0, 0.7, 2.0])
 MATERIALS = re.findall(r"^    (\S+):$", gn.material.__doc__.partition("Angles are in radians")[2], re.MULTILINE)
 

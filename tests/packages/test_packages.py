@@ -206,7 +206,7 @@ print(gabor_noise.__version__)
                                                   "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
     GIVEN = """
 wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), evolution=0.3), dict(seed=-9, period=(4, 5, 6), evolution=0.3)
-rough = dict(octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
+rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
 sea = dict(wind=8, direction=0.7, fetch=3e4, swell=1.5, swell_period=9, swell_direction=2.1, loop=256, seed=-9)
 def channels(made):

@@ -65,7 +65,6 @@ def _members() -> dict[str, dict[str, Member]]:
         kernel = owner.replace("-", "_") or "terrain"
         if kernel not in _native.KERNELS:
             continue
-        name = {"gully_frequency": "frequency"}.get(name, name)
         of = members.setdefault(kernel, {})
         first = sum(3 if each.kind == "colour" else 1 for each in of.values())
         values = _native.KERNELS[kernel][2][first:]
