@@ -42,9 +42,11 @@ float srgb(float light) {
 }
 
 Request frame_of(Request request, int frame, int frames) {
-    const auto* sea = std::get_if<Sea>(&request.view);
     const double share = static_cast<double>(frame) / frames;
-    request.time += !sea ? share : sea->loop > 0 ? sea->loop * share : frame / 25.0;
+    if (auto* sea = std::get_if<Sea>(&request.view))
+        sea->seconds += sea->loop_seconds > 0 ? sea->loop_seconds * share : frame / 25.0;
+    else
+        request.evolution += share;
     return request;
 }
 

@@ -97,8 +97,6 @@ constexpr Constant planar{"the flat or horizon view of noise",
 constexpr Constant filtered{"noise or a material",
                             [](const Request& r) { return !has_terrain(r) && !has_sea(r); }};
 constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !has_sea(r); }};
-constexpr Constant timed{"noise or the ocean view",
-                         [](const Request& r) { return is_noise(r) || has_sea(r); }};
 constexpr Constant tiles{"the flat or terrain view", [](const Request& r) {
                              return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
                          }};
@@ -265,8 +263,8 @@ std::vector<Parameter> noise_rows() {
             "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
         row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
-        row("time", Kind::number, "periods, or seconds at sea", {-1e9, 1e9}, {0, 1}, scopes::timed,
-            "Time in an animation with period 1, or at sea", in_request(&Request::time)),
+        row("evolution", Kind::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::noise,
+            "Evolution of the noise in place, which repeats after 1", in_request(&Request::evolution)),
         row("paint", Kind::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
@@ -288,7 +286,7 @@ std::vector<Parameter> view_rows() {
             "noise in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded "
             "mountains from above and `landscape` in perspective. Terrain has channels R, G, B, height, "
             "slope.x, slope.y, lit.R, lit.G, lit.B, ridge, erosion. `ocean` shows a sea in perspective, with "
-            "the same channels, but fold and foam instead of the last two",
+            "the same channels, but jacobian and foam instead of the last two",
             by_name([](const Request& r) { return name_of(r.view); },
                     [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
             names_of(named_views)),
@@ -331,14 +329,15 @@ std::vector<Parameter> light_rows() {
 std::vector<Parameter> terrain_rows() {
     return {
         row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
-            "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
+            "Width of the picture, in the unit that heights shall have, usually metres; 0 gives heights in "
+            "kernel radii",
             in_view(&Terrain::extent)),
         row("cover", Kind::choice, "", none, none, scopes::terrain,
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
             by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
 }
 
-// Sea::loop is 0 or a power of 2 from 8.
+// Sea::loop_seconds is 0 or a power of 2 from 8.
 constexpr std::array<std::string_view, 11> loops{"never", "8",   "16",   "32",   "64",  "128",
                                                  "256",   "512", "1024", "2048", "4096"};
 
@@ -347,34 +346,38 @@ Place seconds_of_loop() {
                 const auto* sea = std::get_if<Sea>(&request.view);
                 if (!sea)
                     return std::nullopt;
-                return std::string(sea->loop == 0
-                                       ? loops[0]
-                                       : loops[static_cast<std::size_t>(
-                                             std::countr_zero(static_cast<unsigned>(sea->loop)) - 2)]);
+                return std::string(
+                    sea->loop_seconds == 0
+                        ? loops[0]
+                        : loops[static_cast<std::size_t>(
+                              std::countr_zero(static_cast<unsigned>(sea->loop_seconds)) - 2)]);
             },
             [](Request& request, const Value& value) {
                 const auto index = std::ranges::find(loops, std::get<std::string>(value)) - loops.begin();
-                std::get<Sea>(request.view).loop = index == 0 ? 0 : 4 << index;
+                std::get<Sea>(request.view).loop_seconds = index == 0 ? 0 : 4 << index;
             }};
 }
 
 std::vector<Parameter> sea_rows() {
     return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind that raises the sea, 10 m up", in_view(&Sea::wind)),
-            row("fetch", Kind::number, "kilometres", {1, 1000}, {1, 1000}, scopes::sea,
-                "Open water upwind: a few kilometres for a lake, 200 or more for a grown sea",
+                "Wind speed 10 m above the sea; the wind blows along +x", in_view(&Sea::wind)),
+            row("fetch", Kind::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
+                "Open water upwind: a few kilometres for a lake, 200 km or more for a grown sea",
                 in_view(&Sea::fetch)),
-            row("swell", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
+            row("swell_height", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
                 "Significant height of a swell from a far storm, from trough to crest; 0 for none",
-                in_view(&Sea::swell)),
+                in_view(&Sea::swell_height)),
             row("swell_period", Kind::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
                 "Time from crest to crest of the swell", in_view(&Sea::swell_period)),
             row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
-                "Where the swell goes, from the direction of the wind", in_view(&Sea::swell_direction)),
-            row("loop", Kind::choice, "seconds", none, none, scopes::sea,
-                "Seconds after which the sea repeats exactly, for films: several periods of the swell. "
+                "Where the swell goes: 0 with the wind, along +x, 90 along +y",
+                in_view(&Sea::swell_direction)),
+            row("loop_seconds", Kind::choice, "seconds", none, none, scopes::sea,
+                "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
+            row("seconds", Kind::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time",
+                in_view(&Sea::seconds)),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
 }

@@ -58,14 +58,15 @@ struct Terrain {
     bool operator==(const Terrain&) const = default;
 };
 
-/// A sea in perspective under a clear sky. Its waves travel along +x.
+/// A sea in perspective under a clear sky. The wind blows along +x.
 struct Sea {
     double wind = 10;            ///< metres per second
-    double fetch = 200;          ///< kilometres of open water upwind
-    double swell = 0;            ///< its significant height in metres, 0 for none
+    double fetch = 200000;       ///< metres of open water upwind
+    double swell_height = 0;     ///< significant height in metres, 0 for none
     double swell_period = 12;    ///< seconds
-    double swell_direction = 60; ///< where it goes: degrees from the wind's direction
-    int loop = 0;                ///< seconds after which all repeats, a power of 2, or 0
+    double swell_direction = 60; ///< where it goes: degrees from +x towards +y
+    int loop_seconds = 0;        ///< after which all repeats, a power of 2, or 0
+    double seconds = 0;          ///< time
     double altitude = 8;         ///< of the camera, in metres
     double yaw = 250;            ///< camera azimuth in degrees
     double pitch = 6;            ///< angle by which the camera looks down, in degrees
@@ -96,7 +97,7 @@ struct Request {
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
-    double time = 0; ///< time in periods of the animation, or in seconds at sea
+    double evolution = 0; ///< of the noise in place, which repeats after 1; see Sea::seconds
     View view = Plane();
     std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion

@@ -46,12 +46,12 @@ struct GaborOcean {
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    int loop;        // the seconds after which all repeats, or 0 for never
+    int loop_seconds; // all repeats after so many, or 0 for never
     float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
     GaborOceanBand band[GABOR_OCEAN_BANDS + 1]; // the swell is the last
 };
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop)
+// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
 //     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
 //     narrow spread of directions and a sharp peak [G10]; float3(0.0) is none. For films, all repeats after a loop of 8, 16, 32
@@ -64,7 +64,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds, with foam below 0.7
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 // GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
@@ -75,8 +75,8 @@ struct GaborWater {
 //     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
-//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+// GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy of
 //     float2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
@@ -102,14 +102,14 @@ inline float2 gabor_impl_spectrum(float f, float peak, float scale, float sharp)
     return scale / f * exp(sharp * exp(-0.5 * apart * apart) - 1.25 * below * below) * float2(1.0 / (f * f * f * f), 1.0);
 }
 
-inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop) {
+inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds) {
     float gravity = 9.81, tick = 1.52587890625e-5;
     GaborOcean ocean;
     ocean.wind = clamp(wind, 2.0, 30.0);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = float3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.0002)) : 0;
+    ocean.loop_seconds = loop_seconds > 0 ? int(1u << uint(log2(float(clamp(loop_seconds, 8, 4096))) + 0.0002)) : 0;
     float reach = min(gravity * ocean.fetch / (ocean.wind * ocean.wind), 2.15e4), peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
     float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455, sharp = 1.1939225; // (2 pi)^4, ln 3.3
     int power = int(floor(log2(0.62 * peak / tick)));
@@ -169,7 +169,7 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         band.early -= float3(0.0, band.early.xy);
         band.spread = floor(511.5 * float3(a, b, c)) * float3(8.0, 0.00390625, 8.0);
         band.widen = floor(16384.0 * float2(1.0 - (fit.x + 1236.0) * widen, widen));
-        float speed = ocean.loop > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
+        float speed = ocean.loop_seconds > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
         band.drift = int2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
         ocean.band[i] = band;
     }
@@ -250,19 +250,19 @@ inline void gabor_impl_add_band(thread GaborWater& sum, thread float3& squeeze, 
     sum.lost += float3(dot(lost, x * x), dot(lost, x * y), dot(lost, float4(1.0)));
 }
 
-inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed) {
+inline GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed) {
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind)};
     float3 squeeze = float3(0.0);
-    float2 quantum = ocean.loop > 0 ? float2(float(65536 / max(ocean.loop, 1)), 1.52587890625e-5 * float(ocean.loop)) : float2(1.0);
+    float2 quantum = ocean.loop_seconds > 0 ? float2(float(65536 / max(ocean.loop_seconds, 1)), 1.52587890625e-5 * float(ocean.loop_seconds)) : float2(1.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
         gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum, least, cell, local,
-                            second, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
+                            whole_seconds, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
     }
-    water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    water.jacobian = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = float3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
     return water;
 }

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d2cfbd40bd452e2c.
+// naga 30.0.1 made it from GLSL with the digest ad72f7a69ad9a170.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -33,12 +33,12 @@ struct GaborOcean {
     direction: f32, // where the waves go: radians from +x towards +y
     fetch: f32, // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     swell: vec3<f32>, // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    loop_: i32, // the seconds after which all repeats, or 0 for never
+    loop_seconds: i32, // all repeats after so many, or 0 for never
     tail: vec2<f32>, // variance of the slopes of waves shorter than all bands, along the wind and across it
     band: array<GaborOceanBand, 10>, // the swell is the last
 }
 // GaborOcean gabor_ocean(f32 wind)
-// GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop)
+// GaborOcean gabor_ocean_of(f32 wind, f32 direction, f32 fetch, vec3f swell, i32 loop_seconds)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
 //     spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a remote storm, has a
 //     narrow spread of directions and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats after a loop of 8, 16, 32
@@ -51,7 +51,7 @@ struct GaborWater {
     height: f32, // metres, of mean 0 and normally distributed
     slope: vec2<f32>, // derivatives of the height by p
     shift: vec2<f32>, // horizontal displacement in metres, towards crests, which it sharpens
-    fold: f32, // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
+    jacobian: f32, // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds, with foam below 0.7
     lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
@@ -62,8 +62,8 @@ struct GaborWater {
 //     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 second, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
-//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 whole_seconds, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy of
 //     vec2f(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
@@ -103,7 +103,7 @@ fn gabor_impl_spectrum(f: f32, peak: f32, scale: f32, sharp: f32) -> vec2<f32> {
     return (((scale / f) * exp(((sharp * exp(((-0.5f * _e21) * _e23))) - ((1.25f * _e28) * _e30)))) * vec2<f32>((1f / (((f * f) * f) * f)), 1f));
 }
 
-fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_: i32) -> GaborOcean {
+fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_seconds: i32) -> GaborOcean {
     var direction_1: f32;
     var gravity: f32 = 9.81f;
     var tick: f32 = 0.000015258789f;
@@ -161,13 +161,13 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
     ocean.direction = _e16;
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
     ocean.swell = vec3<f32>(clamp(swell.x, 0f, 30f), clamp(swell.y, 5f, 25f), swell.z);
-    if (loop_ > 0i) {
-        local_12 = i32((1u << u32((log2(f32(clamp(loop_, 8i, 4096i))) + 0.0002f))));
+    if (loop_seconds > 0i) {
+        local_12 = i32((1u << u32((log2(f32(clamp(loop_seconds, 8i, 4096i))) + 0.0002f))));
     } else {
         local_12 = 0i;
     }
     let _e48 = local_12;
-    ocean.loop_ = _e48;
+    ocean.loop_seconds = _e48;
     let _e49 = gravity;
     let _e50 = ocean;
     let _e53 = ocean;
@@ -473,7 +473,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3<f32>, loop_
             let _e697 = widen;
             band.widen = floor((16384f * vec2<f32>((1f - ((_e690.x + 1236f) * _e694)), _e697)));
             let _e701 = ocean;
-            if (_e701.loop_ > 0i) {
+            if (_e701.loop_seconds > 0i) {
                 local_20 = 0f;
             } else {
                 let _e707 = gravity;
@@ -906,7 +906,7 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     return;
 }
 
-fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
+fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, whole_seconds: i32, fraction: f32, dx: vec2<f32>, dy: vec2<f32>, ocean: GaborOcean, seed: u32) -> GaborWater {
     var wind_2: vec2<f32>;
     var swell_1: vec2<f32>;
     var water: GaborWater;
@@ -928,8 +928,8 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e26 = wind_2;
     let _e27 = gabor_impl_slopes_along(ocean.tail, _e26);
     water = GaborWater(0f, vec2(0f), vec2(0f), 0f, _e27);
-    if (ocean.loop_ > 0i) {
-        local_27 = vec2<f32>(f32((65536i / max(ocean.loop_, 1i))), (0.000015258789f * f32(ocean.loop_)));
+    if (ocean.loop_seconds > 0i) {
+        local_27 = vec2<f32>(f32((65536i / max(ocean.loop_seconds, 1i))), (0.000015258789f * f32(ocean.loop_seconds)));
     } else {
         local_27 = vec2(1f);
     }
@@ -983,7 +983,7 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             }
             let _e134 = local_30;
             let _e135 = gabor_derived_seed(seed, _e134);
-            gabor_impl_add_band((&water), (&squeeze_1), ocean.band[_e111], (_e114 || ((_e115 > 0i) && (_e118 < 4i))), _e127, _e128, _e129, cell, local, second, fraction, dx, dy, _e135);
+            gabor_impl_add_band((&water), (&squeeze_1), ocean.band[_e111], (_e114 || ((_e115 > 0i) && (_e118 < 4i))), _e127, _e128, _e129, cell, local, whole_seconds, fraction, dx, dy, _e135);
         }
         continuing {
             let _e102 = i_1;
@@ -995,7 +995,7 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     let _e147 = squeeze_1;
     let _e151 = squeeze_1;
     let _e153 = squeeze_1;
-    water.fold = (((1f - _e140.x) * ((1f - _e144.z) + _e147.x)) - (_e151.y * _e153.y));
+    water.jacobian = (((1f - _e140.x) * ((1f - _e144.z) + _e147.x)) - (_e151.y * _e153.y));
     let _e158 = water;
     let _e161 = water;
     let _e164 = water;
@@ -1007,13 +1007,13 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
 
 fn gabor_water_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seconds: f32, ocean: GaborOcean, seed: u32) -> GaborWater {
     var cell_4: vec2<f32>;
-    var second_4: f32;
+    var second_3: f32;
     cell_4 = floor(p);
-    second_4 = floor(seconds);
+    second_3 = floor(seconds);
     let _e10 = cell_4;
     let _e12 = cell_4;
-    let _e14 = second_4;
-    let _e16 = second_4;
+    let _e14 = second_3;
+    let _e16 = second_3;
     let _e18 = gabor_water_at(vec2<i32>(_e10), (p - _e12), i32(_e14), (seconds - _e16), dx, dy, ocean, seed);
     return _e18;
 }

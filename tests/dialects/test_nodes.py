@@ -149,8 +149,8 @@ OCEAN = """
     float height[3], fold[3];
     const gabor_vec2 place = p * 61.0f - gabor_vec2(3000.0f, -900.0f);
     const vector half(0.5f * place.x, 0.5f * place.y, 0);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
     osl::gabor_ocean(vector(place.x, place.y, 0), DEFAULTS, moved[2], height[2], fold[2]);
     static const GaborOcean seas[] = {gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 0),
                                       gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 64), gabor_ocean(10.0f)};
@@ -512,7 +512,7 @@ class ByHand(unittest.TestCase):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_ocean.osl").read_text(), re.MULTILINE)
         code = OCEAN.replace("DEFAULTS", ", ".join(f"{each}f" if "." in each else each for each in given))
         outputs = [each.replace("I", str(i)) for each in ("moved[I].x moved[I].y moved[I].z height[I] fold[I] units[I]*water[I].shift.x "
-                   "units[I]*water[I].shift.y units[I]*water[I].height units[I]*water[I].height water[I].fold").split() for i in range(3)]
+                   "units[I]*water[I].shift.y units[I]*water[I].height units[I]*water[I].height water[I].jacobian").split() for i in range(3)]
         made, expected = np.split(self.osl("gabor_ocean.osl", ["gabor_noise", "gabor_ocean"], code, outputs), 2)
         error = np.abs(made - expected).max(axis=(1, 2)) / expected.std(axis=(1, 2)) / 4
         print(f"largest differences, in significant heights: {error.max():.2g}")

@@ -215,7 +215,7 @@ float kept(GaborField3d f) {
 
 #if defined GOLDEN_OCEAN
 float kept(GaborWater w) {
-    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.fold + 5.0f * kept(w.lost);
+    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.jacobian + 5.0f * kept(w.lost);
 }
 #endif
 

@@ -199,7 +199,7 @@ print(gabor_noise.__version__)
         "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel=(0.1, 0.3), period=(8, 16), **rough)":
             "island.height island.slope.x island.slope.y island.ridge",
         "water(x, y, seconds=100.25, pixel=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
-                                                               "water.fold water.lost.x water.lost.y water.lost.z",
+                                                               "water.jacobian water.lost.x water.lost.y water.lost.z",
         "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
         **{f"material('{name.replace('_', '-')}', x, y, pixel=(0.1, 0.3), period=(6, 4), seed=-9)":
            " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",

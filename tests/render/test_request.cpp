@@ -196,7 +196,7 @@ TEST_CASE("files of earlier versions load", "[request]") {
     // values that version 3.0 does not have.
     const Request plain = render::from_json(
         R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
-            "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
+            "tileable":false,"evolution":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
             "orientation_spread":5.0,"lobes":[],"sum":false,"filter":false,"view":"flat","paint":"","phasor":true,
             "values":1,"solid":false,"depth":0.0})");
     CHECK(plain == Request{.width = 64,
@@ -205,7 +205,7 @@ TEST_CASE("files of earlier versions load", "[request]") {
                            .recipe = noise::find_recipe("pure"),
                            .lobes = {{3.5, -20, 0.1, 5}},
                            .seed = 9,
-                           .time = 0.25,
+                           .evolution = 0.25,
                            .phasor = true});
     const Request lobes = render::from_json(
         R"({"frequency":4.0,"orientation":0.0,"lobes":[{"frequency":9.0,"power":2}],"solid":true,"depth":1.0})");
@@ -298,7 +298,7 @@ TEST_CASE("conflicting parameters are refused, or dropped on request", "[request
                              Pair{of_view("flat"), "paint", "a.exr", "view", "horizon"},
                              Pair{of_view("flat"), "filter", "true", "recipe", "lattice-2"},
                              Pair{of_view("flat"), "lobes", "[{\"stretch\": 2}]", "recipe", "one"},
-                             Pair{of_view("flat"), "time", "0.5", "material", "sand"},
+                             Pair{of_view("flat"), "evolution", "0.5", "material", "sand"},
                              Pair{of_view("flat"), "phasor", "true", "material", "sand"},
                              Pair{of_view("flat"), "recipe", "one", "material", "wood"},
                              Pair{of_view("flat"), "recipe", "one", "view", "terrain"},

@@ -36,8 +36,8 @@ void fill_water(const Block& block) {
         const GaborWater water =
             water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
                      {block.in[seed_input + 1][i], 0.0f}, {0.0f, block.in[seed_input + 2][i]}, ocean);
-        const float values[]{water.height, water.slope.x, water.slope.y, water.shift.x, water.shift.y,
-                             water.fold,   water.lost.x,  water.lost.y,  water.lost.z};
+        const float values[]{water.height,   water.slope.x, water.slope.y, water.shift.x, water.shift.y,
+                             water.jacobian, water.lost.x,  water.lost.y,  water.lost.z};
         for (std::size_t c = 0; c < 9; ++c)
             block.put(c, i, values[c]);
     }
