@@ -61,11 +61,11 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    vec2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    vec2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
@@ -74,7 +74,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -120,7 +120,7 @@ GaborPlace gabor_impl_stretched(GaborPlace place, vec2 radius) {
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 vec2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    vec2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    vec2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return vec2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -143,8 +143,8 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     return sum;
 }
 
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe(frequency, orientation, vec2(radius), power);
+GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe(cycles_per_unit, orientation, vec2(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------

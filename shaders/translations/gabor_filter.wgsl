@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 909af61bc59c3e7e.
+// naga 30.0.1 made it from GLSL with the digest e2ae4dda836516b9.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
@@ -1215,7 +1215,7 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
 }
 
 fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> GaborField {
-    var frequency_16: f32;
+    var frequency_15: f32;
     var s_6: vec3<f32>;
     var kept: f32;
     var field_9: GaborField;
@@ -1241,12 +1241,12 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var cosine: vec2<f32>;
     var node_2: GaborWindows;
     var faded_3: vec2<f32>;
-    frequency_16 = frequency;
+    frequency_15 = frequency;
     let _e6 = gabor_impl_footprint(dx, dy);
     s_6 = _e6.covariance;
-    let _e9 = frequency_16;
-    frequency_16 = min(abs(_e9), 1000000f);
-    let _e13 = frequency_16;
+    let _e9 = frequency_15;
+    frequency_15 = min(abs(_e9), 1000000f);
+    let _e13 = frequency_15;
     let _e14 = s_6;
     let _e15 = gabor_impl_transmitted_isotropic_2d(_e13, _e14);
     kept = _e15;
@@ -1267,7 +1267,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     let _e45 = s_6;
     let _e49 = s_6;
     s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
-    let _e60 = frequency_16;
+    let _e60 = frequency_15;
     let _e61 = s_6;
     let _e62 = gabor_impl_transmitted_isotropic_2d(_e60, _e61);
     narrower = _e62;
@@ -1281,7 +1281,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     let _e79 = narrower;
     amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e75)) * sqrt(min((_e78 / max(_e79, 0.000000000000000000000000000001f)), 1f)));
     stretch_5 = (place.cells_per_radius / vec2(1.5f));
-    let _e96 = frequency_16;
+    let _e96 = frequency_15;
     let _e97 = stretch_5;
     unit_4 = (vec2(_e96) / _e97);
     let _e101 = s_6;

@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest bbd3b0969a0f2e58.
+// naga 30.0.1 made it from GLSL with the digest febb978165c5278c.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
@@ -973,7 +973,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
 }
 
 fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
-    var frequency_27: f32;
+    var frequency_26: f32;
     var stretch_11: vec3<f32>;
     var whole_1: GaborPixelAxes;
     var resolved_1: GaborPixelAxes;
@@ -998,21 +998,21 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var local_52: f32;
     var local_53: f32;
     var local_54: f32;
-    frequency_27 = frequency;
+    frequency_26 = frequency;
     stretch_11 = (place.cells_per_radius / vec3(1.5f));
-    let _e15 = frequency_27;
-    frequency_27 = min(abs(_e15), 1000000f);
+    let _e15 = frequency_26;
+    frequency_26 = min(abs(_e15), 1000000f);
     let _e21 = gabor_impl_pixel(dx, dy, vec3(1f));
     whole_1 = _e21;
     let _e23 = whole_1;
     let _e25 = gabor_impl_resolved(_e23, 0.5f);
     resolved_1 = _e25;
-    let _e27 = frequency_27;
+    let _e27 = frequency_26;
     let _e28 = whole_1;
     let _e29 = gabor_impl_transmitted_isotropic(_e27, _e28, tangents);
     transmitted_2 = _e29;
     let _e31 = transmitted_2;
-    let _e32 = frequency_27;
+    let _e32 = frequency_26;
     let _e33 = resolved_1;
     let _e34 = gabor_impl_transmitted_isotropic(_e32, _e33, tangents);
     amplitude_7 = sqrt((_e31 / _e34));
@@ -1035,7 +1035,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     pixel_9 = _e67;
     let _e69 = pixel_9;
     s_9 = _e69.diagonal;
-    let _e72 = frequency_27;
+    let _e72 = frequency_26;
     let _e73 = stretch_11;
     scale_5 = (vec3(_e72) / _e73);
     let _e77 = gabor_impl_salt(seed);

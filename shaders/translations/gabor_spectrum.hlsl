@@ -63,17 +63,17 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    float2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    float2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
-GaborLobe GaborLobe_of(float frequency, float orientation, float2 radius, float power)
+GaborLobe GaborLobe_of(float cycles_per_unit, float orientation, float2 radius, float power)
 {
     GaborLobe made;
-    made.frequency = frequency;
+    made.cycles_per_unit = cycles_per_unit;
     made.orientation = orientation;
     made.radius = radius;
     made.power = power;
@@ -86,7 +86,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -132,7 +132,7 @@ GaborPlace gabor_impl_stretched(GaborPlace place, float2 radius) {
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 float2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    float2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    float2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return float2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -155,8 +155,8 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     return sum;
 }
 
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe_of(frequency, orientation, (float2)(radius), power);
+GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe_of(cycles_per_unit, orientation, (float2)(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------

@@ -66,11 +66,11 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    gabor_vec2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    gabor_vec2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
@@ -79,7 +79,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -125,7 +125,7 @@ GABOR_INLINE GaborPlace gabor_impl_stretched(GaborPlace place, gabor_vec2 radius
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 GABOR_INLINE gabor_vec2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    gabor_vec2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    gabor_vec2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return gabor_vec2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -148,8 +148,8 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
     return sum;
 }
 
-GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe{frequency, orientation, gabor_vec2(radius), power};
+GABOR_INLINE GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe{cycles_per_unit, orientation, gabor_vec2(radius), power};
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------

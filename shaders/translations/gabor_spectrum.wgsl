@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 4f4cf6b2aa1e1342.
+// naga 30.0.1 made it from GLSL with the digest ff1794147d8a0716.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -51,7 +51,7 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    frequency: f32, // cycles per unit of p, whatever the radius
+    cycles_per_unit: f32, // the waves' frequency per unit of p, whatever the radius
     orientation: f32, // as in gabor_noise
     radius: vec2<f32>, // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
     power: f32, // power relative to the other lobes, not negative
@@ -63,7 +63,7 @@ struct GaborLobes {
     count: i32,
 }
 
-// GaborLobe gabor_lobe(f32 frequency, f32 orientation, f32 radius, f32 power)
+// GaborLobe gabor_lobe(f32 cycles_per_unit, f32 orientation, f32 radius, f32 power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, u32 seed)
@@ -120,7 +120,7 @@ fn gabor_impl_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 fn gabor_impl_lobe_wave(lobe: GaborLobe) -> vec2<f32> {
     var wave_5: vec2<f32>;
-    let _e6 = gabor_wave_vector((lobe.frequency * lobe.radius.x), lobe.orientation);
+    let _e6 = gabor_wave_vector((lobe.cycles_per_unit * lobe.radius.x), lobe.orientation);
     wave_5 = _e6;
     let _e8 = wave_5;
     let _e10 = wave_5;
@@ -203,8 +203,8 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     return _e61;
 }
 
-fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
-    return GaborLobe(frequency, orientation, vec2(radius), power);
+fn gabor_lobe(cycles_per_unit: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
+    return GaborLobe(cycles_per_unit, orientation, vec2(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -262,7 +262,7 @@ fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
 }
 
 fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
-    var frequency_8: f32;
+    var frequency_7: f32;
     var frequency_spread_1: f32;
     var orientation_spread_1: f32;
     var sum_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
@@ -277,17 +277,17 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     var direction: vec3<f32>;
     var wave_6: vec2<f32>;
     var field_5: GaborField;
-    frequency_8 = frequency;
+    frequency_7 = frequency;
     frequency_spread_1 = frequency_spread;
     orientation_spread_1 = orientation_spread;
-    let _e18 = frequency_8;
-    frequency_8 = min(abs(_e18), 1000000f);
+    let _e18 = frequency_7;
+    frequency_7 = min(abs(_e18), 1000000f);
     let _e22 = frequency_spread_1;
     frequency_spread_1 = clamp(_e22, 0f, 1f);
     let _e26 = orientation_spread_1;
     orientation_spread_1 = clamp(_e26, 0f, 1.5707963f);
     let _e31 = frequency_spread_1;
-    let _e33 = frequency_8;
+    let _e33 = frequency_7;
     shells = clamp((((2.857f * _e31) * _e33) + 0.8f), 1f, 16f);
     let _e41 = shells;
     let _e42 = gabor_impl_pieces(_e41);
@@ -303,7 +303,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
             let _e54 = shells;
             let _e55 = gabor_impl_piece(_e53, _e54);
             shell = _e55;
-            let _e57 = frequency_8;
+            let _e57 = frequency_7;
             let _e59 = frequency_spread_1;
             let _e60 = shell;
             magnitude = (_e57 * (1f + (_e59 * _e60.x)));
@@ -439,7 +439,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec
 
 // Unrolling these loops by hand made them four times slower on lavapipe.
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
-    var frequency_11: f32;
+    var frequency_10: f32;
     var salt_4: u32;
     var x_5: GaborAxis;
     var y_4: GaborAxis;
@@ -454,7 +454,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     var window_1: vec3<f32>;
     var field_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var local_13: f32;
-    frequency_11 = frequency;
+    frequency_10 = frequency;
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
     let _e12 = salt_4;
@@ -464,8 +464,8 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.cells_per_radius.y);
     y_4 = _e30;
     stretch_2 = (place.cells_per_radius / vec2(1.5f));
-    let _e40 = frequency_11;
-    frequency_11 = min(abs(_e40), 1000000f);
+    let _e40 = frequency_10;
+    frequency_10 = min(abs(_e40), 1000000f);
     loop {
         let _e55 = j_2;
         if !((_e55 < 3i)) {
@@ -483,7 +483,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
                     break;
                 }
                 {
-                    let _e77 = frequency_11;
+                    let _e77 = frequency_10;
                     let _e81 = x_5;
                     let _e83 = i_5;
                     let _e88 = y_4;
@@ -512,17 +512,17 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
                     window_1 = vec3<f32>((_e120.x * _e122.y), _e140.x, _e140.y);
                     let _e146 = window_1;
                     let _e147 = star_1;
-                    let _e149 = frequency_11;
+                    let _e149 = frequency_10;
                     let _e150 = star_1;
                     gabor_impl_add_wave((&sum_8), _e146, _e147.first, (_e149 * _e150.u));
                     let _e155 = window_1;
                     let _e156 = star_1;
-                    let _e158 = frequency_11;
+                    let _e158 = frequency_10;
                     let _e159 = star_1;
                     gabor_impl_add_wave((&sum_8), _e155, _e156.second, (_e158 * _e159.v));
                     let _e164 = window_1;
                     let _e165 = star_1;
-                    let _e167 = frequency_11;
+                    let _e167 = frequency_10;
                     let _e168 = star_1;
                     let _e170 = star_1;
                     gabor_impl_add_wave((&sum_8), _e164, _e165.third, (_e167 * (_e168.v - _e170.u)));

@@ -4,6 +4,7 @@ seams."""
 import itertools
 import json
 import pathlib
+import re
 import unittest
 
 import matplotlib
@@ -177,6 +178,11 @@ class Erode(ProgramTest):
                 self.assertAlmostEqual(float(found[option]), factor * preset.get(option, by_default), msg=(name, option))
             self.assertEqual(float(found["onset_slope"]), 2 * 0.637)
             self.assertEqual(found["seed"], "0")
+        self.succeed("erode", "map.exr", "-o", "out.exr", "--strength=0.15")
+        found = Exr(self.folder / "out.exr").parameters
+        module = (pathlib.Path(__file__).parents[2] / "packages/pypi/gabor_noise/__init__.py").read_text()
+        for option, value in re.findall(r'"(\w+)": ([\d.]+)', re.search(r"_OF_MAPS = {(.*)}", module)[1].replace("2 * _SLOPE", "1.274")):
+            self.assertEqual(float(found[option]), float(value), option)  # Python's erode has the same defaults
 
     def test_both_axes_are_alike(self):
         """A map that is not square and the same map with x and y exchanged."""

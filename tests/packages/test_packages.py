@@ -196,19 +196,19 @@ print(gabor_noise.__version__)
         "terrain(x, y, seed=7, octaves=0)": "hills.height hills.slope.x hills.slope.y hills.ridge",
         "terrain(x, y, seed=7)": "mountains.height mountains.slope.x mountains.slope.y mountains.ridge",
         "terrain(x, y, terrain(x, y, seed=7), seed=8, **rough)": "badlands.height badlands.slope.x badlands.slope.y badlands.ridge",
-        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel=(0.1, 0.3), period=(8, 16), **rough)":
+        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel_size=(0.1, 0.3), period=(8, 16), **rough)":
             "island.height island.slope.x island.slope.y island.ridge",
-        "water(x, y, seconds=100.25, pixel=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
+        "water(x, y, seconds=100.25, pixel_size=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
                                                                "water.jacobian water.lost.x water.lost.y water.lost.z",
         "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
-        **{f"material('{name.replace('_', '-')}', x, y, pixel=(0.1, 0.3), period=(6, 4), seed=-9)":
+        **{f"material('{name.replace('_', '-')}', x, y, pixel_size=(0.1, 0.3), period=(6, 4), seed=-9)":
            " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
                                                   "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
     GIVEN = """
 wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), evolution=0.3), dict(seed=-9, period=(4, 5, 6), evolution=0.3)
 rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-sea = dict(wind=8, direction=0.7, fetch=3e4, swell=1.5, swell_period=9, swell_direction=2.1, loop=256, seed=-9)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, loop_seconds=256, seed=-9)
 def channels(made):
     if isinstance(made, dict):
         return [each for name, part in made.items()

@@ -18,7 +18,7 @@ if _native.HAS_AVX2:
 # The range of each argument that is a number, or an array of numbers.
 _RANGES: dict[str, tuple[float, float]] = {
     **dict.fromkeys(("x", "y", "z"), (-1e9, 1e9)),
-    **dict.fromkeys(("frequency", "wave_x", "wave_y"), (-1e6, 1e6)),
+    **dict.fromkeys(("frequency", "cycles_per_unit", "wave_x", "wave_y"), (-1e6, 1e6)),
     "orientation": (-math.inf, math.inf),
     "evolution": (-math.inf, math.inf),
     "direction": (-1e15, 1e15),  # a vector in 3D, or an angle
@@ -27,18 +27,20 @@ _RANGES: dict[str, tuple[float, float]] = {
     "seconds": (-2e9, 2e9),
     "wind": (2, 30),
     "fetch": (1e3, 1e6),
-    "swell": (0, 30),
+    "swell_height": (0, 30),
     "swell_period": (5, 25),
     "swell_direction": (-1e15, 1e15),
-    "pixel": (0, math.inf),
+    "pixel_size": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
     "extent": (1e-9, 1e9),
+    "gully_width": (1e-9, 1e9),
+    "gully_frequency": (0.001, 10000),
     "radius": (1e-9, 1e9),
     "power": (0, math.inf),
     "bandwidth": (0.01, 4),
     "orientation_bandwidth": (0.01, 2),
-    "speed": (-1e6, 1e6),
+    "drift_per_frame": (-1e6, 1e6),
     "contrast": (0, 1e6),
     "pixels_per_degree": (1e-6, 1e6),
     "base": (-math.inf, math.inf),
@@ -197,7 +199,7 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
             found = periods(value, length, least_period)
         elif name == "seed":
             found = [seeds(name, value)]
-        elif name == "loop":
+        elif name == "loop_seconds":
             found = [numbers(name, value, -math.inf, math.inf)]
             if not np.isin(found[0], (0, *2.0 ** np.arange(3, 13))).all():
                 raise refuse(name, value, "0 or a power of 2 from 8 to 4096")

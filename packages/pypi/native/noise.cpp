@@ -293,7 +293,7 @@ std::vector<Kernel> noise_kernels() {
             {"isotropic", place + "frequency", 1, fill_isotropic, {}},
             {"spread", wave + " frequency_spread orientation_spread", 1, fill_spread, {}},
             {"lobes", place_inputs, 1, fill_lobes, {}},
-            {"filtered", wave + " pixel.x pixel.y", 2, fill_filtered, {}},
+            {"filtered", wave + " pixel_size.x pixel_size.y", 2, fill_filtered, {}},
             {"stripes", place + "wave_x wave_y sharpness", 3, fill_stripes, {}},
             {"3d", place_3d + " direction.x direction.y direction.z", 1, fill_3d, {}},
             {"3d_isotropic", place_3d, 1, fill_3d_isotropic, {}}};

@@ -8,7 +8,8 @@
 
 namespace {
 
-const char* const inputs = "x y seconds wind direction fetch swell swell_period swell_direction loop seed ";
+const char* const inputs =
+    "x y seconds wind direction fetch swell_height swell_period swell_direction loop_seconds seed ";
 constexpr std::size_t seed_input = 10;
 
 GaborOcean ocean_of(const Block& block, std::size_t i) {
@@ -60,6 +61,6 @@ void fill_height(const Block& block) {
 } // namespace
 
 std::vector<Kernel> ocean_kernels() {
-    return {{"water", std::string(inputs) + "pixel.x pixel.y ", 9, fill_water, {}},
+    return {{"water", std::string(inputs) + "pixel_size.x pixel_size.y ", 9, fill_water, {}},
             {"water_height", inputs, 1, fill_height, {}}};
 }

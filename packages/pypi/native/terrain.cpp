@@ -8,7 +8,7 @@
 
 namespace {
 
-const char* const ground_inputs = "x y period.x period.y pixel.x pixel.y seed ";
+const char* const ground_inputs = "x y period.x period.y pixel_size.x pixel_size.y seed ";
 
 struct Ground {
     GaborTerrainPlace place;
