@@ -29,18 +29,18 @@ struct GaborTerrain {
 struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
     float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    float strength;        // how far peaks rise and valleys sink, times the gullies' frequency, 0 to 10, usually 0 to 0.5
+    float strength;        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
                            // equal slopes
-    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
-                           // rms slope of a map leaves its valleys open
+    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+                           // the rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
                            // even stripes
-    float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
-    float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
-    float gully_weight;    // depth of gullies, as a share of how far peaks rise and valleys sink, 0 to 1
+    float ridge_rounding;  // width of rounded ridges in radians of the first octave, 0 to 10, usually 0 to 2
+    float crease_rounding; // width of rounded creases in radians of the first octave, 0 to 10, usually 0 to 2
+    float gully_weight;    // depth of gullies, as a share of how far peaks and valleys move, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
@@ -84,8 +84,8 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes
+// per unit of p, so that wave vectors and derivatives are per unit of p.
 GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -96,8 +96,10 @@ GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     place.local = vec2(low & uvec2(0xffffu)) / 65536.0 + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
     place.period = ivec2(max(floor(ground.period * place.cells_per_radius + 0.5), 4.0));
-    if (ground.period.x > 0.0) place.cells_per_radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
-    if (ground.period.y > 0.0) place.cells_per_radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    if (ground.period.x > 0.0) place.cells_per_radius.x = float(place.period.x) / ground.period.x;
+    else place.period.x = 0;
+    if (ground.period.y > 0.0) place.cells_per_radius.y = float(place.period.y) / ground.period.y;
+    else place.period.y = 0;
     place.cell = ivec2(0);
     place.local = (vec2(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
@@ -177,7 +179,8 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
                           dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                               + second.y * along_x.y * along_y.y,
                           dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
-    curvature *= vec3(place.cells_per_radius * place.cells_per_radius.x, place.cells_per_radius.y * place.cells_per_radius.y);
+    curvature *= vec3(place.cells_per_radius * place.cells_per_radius.x,
+                      place.cells_per_radius.y * place.cells_per_radius.y);
     float to_ridge = inversesqrt(1.0 + height * height);
     return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope);
 }
@@ -225,7 +228,8 @@ GaborBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction
     if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
     if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
     vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    GaborField field = gabor_impl_field(sum, vec4(along_y, 0.0, 0.0), turn, wave, place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
+    GaborField field = gabor_impl_field(sum, vec4(along_y, 0.0, 0.0), turn, wave,
+                                        place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     vec2 value = vec2(field.quadrature, field.noise);
     direction *= 6.2831853 / place.cells_per_radius;
     vec2 nodes = direction.x * places.xy + direction.y * places.zw;
@@ -280,7 +284,8 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0);
         vec2 z = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0), kept_slope = vec2(0.0);
         if (kept > 0.0) {
-            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_CELLS_PER_RADIUS * frequency); // 1.25 gullies per radius
+            // 1.25 gullies per radius.
+            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_CELLS_PER_RADIUS * frequency);
             GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = inversesqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel

@@ -173,7 +173,8 @@ vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, f
 // The filtered noise at `place`, with three waves along each axis.
 GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint salt) {
     vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_CELLS_PER_RADIUS);
+    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                        GABOR_CELLS_PER_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_CELLS_PER_RADIUS);
     vec2 turn = exp(-19.739209 * dot(wave, blurred))
@@ -528,7 +529,8 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, fl
     vec2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         uvec4 row = gabor_impl_row(y.word[j]);

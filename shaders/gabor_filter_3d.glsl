@@ -87,7 +87,8 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborMat
     adjugate = gabor_impl_adjugate(GaborMatrix(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
     vec3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                   place.period.x, salt, gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS));
+                                                   place.period.x, salt,
+                                                       gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS));
     GaborFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
                                                    place.period.y, salt ^ GABOR_IMPL_ROWS,
                                                    gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS));
@@ -110,7 +111,8 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborMat
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors edge = GaborFactors(vec3(0.0), vec3(0.0)); // unused
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution,
+            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word),
+                                                       place.evolution,
                                                        edge);
             GaborFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
@@ -243,7 +245,8 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, 
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_derived_seed(seed, i)), sqrt(power),
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_derived_seed(seed, i)),
+                                sqrt(power),
                                 vec3(1.0));
     }
     return sum;
@@ -294,7 +297,8 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x
 }
 
 void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                      vec3 scale, float evolution, GaborMatrix pixel, GaborTangents tangents, uint column,
+                                      vec3 scale, float evolution, GaborMatrix pixel, GaborTangents tangents,
+                                          uint column,
                                       uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
@@ -343,7 +347,8 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy,
     vec3 s = pixel.diagonal, scale = frequency / stretch;
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
                                   GABOR_CELLS_PER_RADIUS);
     GaborFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);

@@ -364,7 +364,8 @@ GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, vec2 density, uint se
 
 GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, vec2 density, float frequency, float orientation, uint seed,
                                   int index) {
-    return GaborLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_derived_seed(seed, index));
+    return GaborLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+                      gabor_derived_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -731,10 +732,13 @@ GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, GaborPairs of, u
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
                + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
-    vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones) + late * gabor_impl_toned(wood.latewood_colour, tones)
+    vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
                 + 0.45 * deep.x * wood.latewood_colour;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
-    float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    // Mean square.
+    float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05 * (1.0 - kept * kept));
     vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
               + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
@@ -824,7 +828,8 @@ GaborMaterial gabor_impl_fabric(GaborPixel cloth, vec2 count, GaborFabric fabric
                     + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12);
     vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09 * uneven)
                     + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12);
-    vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones), weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
+    vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
+        weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -1002,7 +1007,8 @@ GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin, GaborLeather
     share = mix(0.806, share / float(samples), kept);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
-    vec3 colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones), share);
+    vec3 colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                      share);
     lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1096,7 +1102,8 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
     vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain_contrast)
                + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
-    vec3 colour = mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones), ripple.x);
+    vec3 colour = mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                      ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
     colour = mix(colour, 0.23 * sand.trough_colour, 3.75 * sand.grain_contrast * dark);
@@ -1153,7 +1160,8 @@ void gabor_impl_add_metal(inout GaborPairs of, int i, GaborLayer layer, GaborPai
 }
 
 GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    vec3 colour = gabor_impl_toned(metal.metal_colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.streak_contrast));
+    vec3 colour = gabor_impl_toned(metal.metal_colour,
+                                   gabor_impl_tone(of.a.second.x, of.a.removed, metal.streak_contrast));
     vec3 height = metal.streak_height * of.a.first, lost = metal.streak_height * metal.streak_height * of.a.lost;
     if (metal.patina_amount <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
     float threshold = 2.4 - 3.8 * metal.patina_amount;
@@ -1181,12 +1189,14 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
-    float angle = scratches.scratch_direction + scratches.direction_spread * (2.0 * fract(0.0955 + 0.763932 * float(i)) - 1.0);
+    float angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0 * fract(0.0955 + 0.763932 * float(i)) - 1.0);
     GaborPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1206,7 +1216,8 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
 
 GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     vec3 height = scratches.depth * vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0);
 }
 
@@ -1247,7 +1258,8 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
                                   0.01 + 0.09 * intensity).x;
     vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair_contrast)
                + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
-    vec3 colour = mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones), dark);
+    vec3 colour = mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                      dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
 }
 
@@ -1290,9 +1302,11 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
     float covered = bark.moss_amount * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
     vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
-    vec3 top = mix(gabor_impl_toned(bark.plate_colour, tone), gabor_impl_toned(mix(bark.plate_colour, vec3(1.0), 0.13), tone), worn);
+    vec3 top = mix(gabor_impl_toned(bark.plate_colour, tone),
+                   gabor_impl_toned(mix(bark.plate_colour, vec3(1.0), 0.13), tone), worn);
     vec3 moss = gabor_impl_toned(bark.moss_colour, tone);
-    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), mix(top, moss, 0.6 * covered),
+                      plate.x);
     vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
     vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
@@ -1342,7 +1356,8 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
     vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
-    vec3 colour = mix(gabor_impl_toned(strata.dark_rock_colour, tones), gabor_impl_toned(strata.light_rock_colour, tones),
+    vec3 colour = mix(gabor_impl_toned(strata.dark_rock_colour, tones),
+                      gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
     colour = mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8 * soft.x);
     colour = mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),

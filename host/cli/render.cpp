@@ -194,7 +194,7 @@ void render_map_set(const RenderOptions& options) {
     render::MapFormat format{options.directx, options.texture, options.half, bits == "8" ? 8 : 16};
     format.compression = options.compression;
     if (options.metres)
-        format.metres = parse_positive("--metres", *options.metres, "a width above 0");
+        format.metres = parse_positive("--width-metres", *options.metres, "a width above 0");
     Work work = make_work(options);
     const render::Values given = given_values(options.parameters);
     const auto gives = [&](std::string_view name) {
@@ -234,7 +234,7 @@ void render_pictures(const RenderOptions& options) {
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     for (const auto& [name, given] : {std::pair{"--directx", options.directx},
                                       {"--normal-bits", options.normal_bits.has_value()},
-                                      {"--metres", options.metres.has_value()}})
+                                      {"--width-metres", options.metres.has_value()}})
         if (given)
             throw RequestError(fmt::format("{} requires --maps", name));
     const Work work = make_work(options);
@@ -277,7 +277,7 @@ void add_render_command(CLI::App& app) {
     command->footer(R"(
 Examples:
   gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
-  gabor render --material wood --wood.rings 20 --metres 0.5 --maps wood
+  gabor render --material wood --wood.rings 20 --width-metres 0.5 --maps wood
   gabor render --view terrain --preset canyon --png canyon.png --write-heightmap canyon.r16
 
 `gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
@@ -335,9 +335,8 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
                "material.mtlx, material.gltf and material.json. They tile, and are {0}x{0}, unless "
                "--no-tileable, --size or --like says otherwise",
                render::map_side));
-    option(
-        "--metres", options->metres, "NUMBER",
-        "With --maps: their width in metres, to scale the heights too; otherwise a terrain's extent, or 1");
+    option("--width-metres", options->metres, "NUMBER",
+           "With --maps: their width, to scale the heights too; otherwise a terrain's extent, or 1");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     option("--normal-bits", options->normal_bits, "BITS",
            "With --maps: 8 dithers normals to 8 bits, for programs that do not read all 16");

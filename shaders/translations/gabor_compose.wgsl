@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest f29345f007e7e304.
+// naga 30.0.1 made it from GLSL with the digest 40e25ed72c77d58c.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.

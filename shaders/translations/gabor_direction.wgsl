@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 88e504a95cd7bb27.
+// naga 30.0.1 made it from GLSL with the digest 5f2506f64fa3b2a6.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the

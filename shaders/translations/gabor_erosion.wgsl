@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 9134a01e9b699f92.
+// naga 30.0.1 made it from GLSL with the digest 6cc2e36bcf86a120.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
@@ -27,15 +27,15 @@ struct GaborTerrain {
 struct GaborErosion {
     octaves: i32, // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
     gully_frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    strength: f32, // how far peaks rise and valleys sink, times the gullies' frequency, 0 to 10, usually 0 to 0.5
+    strength: f32, // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     gain: f32, // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
-    onset_slope: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+    onset_slope: f32, // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
     detail: f32, // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     uniformity: f32, // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
-    ridge_rounding: f32, // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
-    crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
-    gully_weight: f32, // depth of gullies, as a share of how far peaks rise and valleys sink, 0 to 1
+    ridge_rounding: f32, // width of rounded ridges in radians of the first octave, 0 to 10, usually 0 to 2
+    crease_rounding: f32, // width of rounded creases in radians of the first octave, 0 to 10, usually 0 to 2
+    gully_weight: f32, // depth of gullies, as a share of how far peaks and valleys move, 0 to 1
     branching: f32, // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 }
 
@@ -79,8 +79,8 @@ struct GaborTerrainPlace {
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes
+// per unit of p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_3: GaborPlace;

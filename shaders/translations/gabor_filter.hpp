@@ -178,7 +178,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows
 // The filtered noise at `place`, with three waves along each axis.
 GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_CELLS_PER_RADIUS);
+    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                        GABOR_CELLS_PER_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_CELLS_PER_RADIUS);
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
@@ -533,7 +534,8 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         gabor_uvec4 row = gabor_impl_row(y.word[j]);

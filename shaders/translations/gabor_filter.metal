@@ -179,7 +179,8 @@ inline float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float co
 // The filtered noise at `place`, with three waves along each axis.
 inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
-    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_CELLS_PER_RADIUS);
+    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                        GABOR_CELLS_PER_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_CELLS_PER_RADIUS);
     float2 turn = exp(-19.739209 * dot(wave, blurred))
@@ -534,7 +535,8 @@ inline GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, fl
     float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05);
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {
         uint4 row = gabor_impl_row(y.word[j]);

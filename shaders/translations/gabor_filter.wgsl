@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e2ae4dda836516b9.
+// naga 30.0.1 made it from GLSL with the digest 1f98428906cf29fd.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.

@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest febb978165c5278c.
+// naga 30.0.1 made it from GLSL with the digest 5f76e4b92d577ab5.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_noise_3d.wgsl.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.

@@ -369,7 +369,8 @@ GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborPixel at, gabor_ve
 
 GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborPixel at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
                                   int index) {
-    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_derived_seed(seed, index)};
+    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f,
+                      gabor_derived_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -736,10 +737,13 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel board, GaborWood wood, Gab
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f)
                + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13f);
-    gabor_vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones) + late * gabor_impl_toned(wood.latewood_colour, tones)
+    gabor_vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
                 + 0.45f * deep.x * wood.latewood_colour;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.b.second;
-    float depth = 5.76e-6f * wood.pore_strength * wood.pore_strength * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
+    // Mean square.
+    float depth = 5.76e-6f * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05f * (1.0f - kept * kept));
     gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz()) + 4.0e-8f * of.b.lost
               + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
@@ -829,7 +833,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel cloth, gabor_vec2 count,
                     + gabor_impl_tone(of.c.second.x, of.c.removed, 0.12f);
     gabor_vec2 weft_tones = gabor_impl_tone(of.b.first.x, of.b.removed, 0.09f * uneven)
                     + gabor_impl_tone(of.d.second.x, of.d.removed, 0.12f);
-    gabor_vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones), weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
+    gabor_vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
+        weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -1007,7 +1012,8 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborPixel pixel, GaborPixel skin,
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones), share);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                      share);
     lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.a.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
@@ -1101,7 +1107,8 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
     gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain_contrast)
                + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones), ripple.x);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                      ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9f, 0.15f).x;
     colour = gabor_cpp_mix(colour, 0.23f * sand.trough_colour, 3.75f * sand.grain_contrast * dark);
@@ -1158,7 +1165,8 @@ GABOR_INLINE void gabor_impl_add_metal(GaborPairs& of, int i, GaborLayer layer, 
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPairs of) {
-    gabor_vec3 colour = gabor_impl_toned(metal.metal_colour, gabor_impl_tone(of.a.second.x, of.a.removed, metal.streak_contrast));
+    gabor_vec3 colour = gabor_impl_toned(metal.metal_colour,
+                                   gabor_impl_tone(of.a.second.x, of.a.removed, metal.streak_contrast));
     gabor_vec3 height = metal.streak_height * of.a.first, lost = metal.streak_height * metal.streak_height * of.a.lost;
     if (metal.patina_amount <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
     float threshold = 2.4f - 3.8f * metal.patina_amount;
@@ -1186,12 +1194,14 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GABOR_INLINE GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
-    float angle = scratches.scratch_direction + scratches.direction_spread * (2.0f * gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 1.0f);
+    float angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0f * gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 1.0f);
     GaborPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1211,7 +1221,8 @@ GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches sc
 
 GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     gabor_vec3 height = scratches.depth * gabor_vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(gabor_cpp_mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(gabor_cpp_mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0f);
 }
 
@@ -1252,7 +1263,8 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
                                   0.01f + 0.09f * intensity).x;
     gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair_contrast)
                + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones), dark);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                      dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0f);
 }
 
@@ -1295,9 +1307,11 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     float worn = 0.5f * gabor_impl_above(weighted, of.a.removed, 0.5f, 0.4f).x;
     float covered = bark.moss_amount * gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f).x;
     gabor_vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
-    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate_colour, tone), gabor_impl_toned(gabor_cpp_mix(bark.plate_colour, gabor_vec3(1.0f), 0.13f), tone), worn);
+    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate_colour, tone),
+                   gabor_impl_toned(gabor_cpp_mix(bark.plate_colour, gabor_vec3(1.0f), 0.13f), tone), worn);
     gabor_vec3 moss = gabor_impl_toned(bark.moss_colour, tone);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered),
+                      plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.a.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative by
@@ -1347,7 +1361,8 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) 
     gabor_vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f); // the soft layers, which erode
     gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f)
                + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.dark_rock_colour, tones), gabor_impl_toned(strata.light_rock_colour, tones),
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.dark_rock_colour, tones),
+                      gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8f * soft.x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 9528405a40656ce7.
+// naga 30.0.1 made it from GLSL with the digest 2cf0c8cdcac32683.
 // Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.

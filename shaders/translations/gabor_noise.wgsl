@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b69ef63e0b43ea13.
+// naga 30.0.1 made it from GLSL with the digest 3bf5c866679b011a.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -19,8 +19,8 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at 10^5, p has
-//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//                  10^5, p has steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of up to 8e-6 to the noise for each radian.
@@ -42,15 +42,15 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // f32 gabor_noise_animated(vec2f p, f32 evolution, f32 frequency, f32 orientation, u32 seed)
 //     Noise that evolves in place and repeats when `evolution` grows by 1; 0 gives gabor_noise. Values t apart have the
-//     correlation cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of a large evolution: a f32
-//     has so few digits at 1000 that the noise errs by 4e-4.
+//     correlation cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of a large evolution: a
+//     f32 has so few digits at 1000 that the noise errs by 4e-4.
 
 // vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
 // vec2f gabor_noise_quadrature(vec2f p, f32 frequency, f32 orientation, u32 seed)
-//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary and
-//     the real part of a complex noise. At each point they are independent and have variance 1.
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are independent and have variance 1.
 
 // vec2f gabor_turns_intensity(vec2f noise_quadrature)
 //     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
@@ -65,10 +65,10 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // u32 gabor_derived_seed(u32 seed, i32 index)
-//     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with one seed,
-//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
+//     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
+//     one seed, frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- Any position, wave vector, period and evolution --------------------------------------------------------------------
+// ---- Any position, wave vector, period and evolution ----------------------------------------------------------------
 
 // A position in node spacings of the lattice, with a period and an evolution.
 struct GaborPlace {
@@ -83,8 +83,8 @@ struct GaborPlace {
 //     The position p, in kernel radii.
 
 // GaborPlace gabor_place(vec2i cell, vec2f local)
-//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborPlace gabor_place_tiled(vec2f p, vec2f period)
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
@@ -94,7 +94,8 @@ struct GaborPlace {
 // vec2f gabor_wave_vector(f32 frequency, f32 orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
     noise: f32,
     gradient: vec2<f32>,
@@ -115,7 +116,8 @@ struct GaborField {
 // ====================================================================================================================
 //
 // The nodes (x_k, y_j) of a square lattice with R = GABOR_CELLS_PER_RADIUS nodes per kernel radius have independent,
-// normal, complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// normal, complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along both
+// axes:
 //
 //     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
@@ -433,9 +435,9 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return _e147;
 }
 
-// The amplitude of a node at an evolution. It is a weighted sum of three amplitudes, from the node's word and two words derived
-// from it. The squared weights sum to 1; at evolution 0 the weights are 1, 0, 0. A return within the branch would take FXC
-// four times as long through ANGLE.
+// The amplitude of a node at an evolution. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at evolution 0 the weights are 1, 0, 0. A return within the branch
+// would take FXC four times as long through ANGLE.
 fn gabor_impl_amplitude_at(word: u32, evolution: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second_1: u32;

@@ -156,7 +156,8 @@ void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float ev
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float evolution) {
+void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
+                          float evolution) {
     float4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
@@ -352,7 +353,8 @@ uint gabor_impl_node_word(GaborAxis axis, int i) {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, float3 scale, float evolution,
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, float3 scale,
+                                  float evolution,
                                   GaborTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
@@ -368,7 +370,8 @@ void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode
 GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
                                   GABOR_CELLS_PER_RADIUS);
     float3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
@@ -376,9 +379,12 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     for (int i = 0; i < 9; ++i) {
         GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     float amplitude = rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)

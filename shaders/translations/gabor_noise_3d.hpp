@@ -137,7 +137,8 @@ GABOR_INLINE void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, in
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float evolution) {
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
+                          float evolution) {
     gabor_vec4 slice, slope;
     gabor_impl_sum_slice(x, y, z, k, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
@@ -297,7 +298,8 @@ GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborAxis axis, int i) {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, gabor_vec3 scale, float evolution,
+GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, gabor_vec3 scale,
+                                  float evolution,
                                   GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
@@ -313,7 +315,8 @@ GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, G
 GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_CELLS_PER_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_CELLS_PER_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                                  GABOR_CELLS_PER_RADIUS);
     GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
                                   GABOR_CELLS_PER_RADIUS);
     gabor_vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS, scale = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) / stretch;
@@ -321,9 +324,12 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequen
     for (int i = 0; i < 9; ++i) {
         GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
+                                     row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
+                                     row);
     }
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     float amplitude = gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)

@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest f92767f11ae5e779.
+// naga 30.0.1 made it from GLSL with the digest e2cde48ac594c1bf.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal

@@ -63,7 +63,8 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p
     gabor_vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds, with foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
+                    // with foam below 0.7
     gabor_vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 // GaborWater gabor_water(vec2 p, float seconds, GaborOcean ocean, uint seed)
@@ -74,8 +75,10 @@ struct GaborWater {
 //     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // float gabor_water_height(vec2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(ivec2 cell, vec2 local, int whole_seconds, float fraction, vec2 dx, vec2 dy, GaborOcean ocean, uint seed)
-//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy of
+// GaborWater gabor_water_at(ivec2 cell, vec2 local, int whole_seconds, float fraction, vec2 dx, vec2 dy,
+//                           GaborOcean ocean, uint seed)
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     vec2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
@@ -168,7 +171,8 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         band.early -= gabor_vec3(0.0f, band.early.xy());
         band.spread = gabor_cpp_floor(511.5f * gabor_vec3(a, b, c)) * gabor_vec3(8.0f, 0.00390625f, 8.0f);
         band.widen = gabor_cpp_floor(16384.0f * gabor_vec2(1.0f - (fit.x + 1236.0f) * widen, widen));
-        float speed = ocean.loop_seconds > 0 ? 0.0f : 32768.0f * gravity / (12.566371f * tick * low * 1.1892071f) * gabor_cpp_exp2(-float(band.exponent));
+        float speed = ocean.loop_seconds > 0 ? 0.0f
+            : 32768.0f * gravity / (12.566371f * tick * low * 1.1892071f) * gabor_cpp_exp2(-float(band.exponent));
         band.drift = gabor_ivec2(gabor_cpp_floor(speed * gabor_impl_wave(0.15915494f * direction) + 0.5f));
         ocean.band[i] = band;
     }
@@ -249,11 +253,13 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     sum.lost += gabor_vec3(gabor_cpp_dot(lost, x * x), gabor_cpp_dot(lost, x * y), gabor_cpp_dot(lost, gabor_vec4(1.0f)));
 }
 
-GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int whole_seconds, float fraction, gabor_vec2 dx, gabor_vec2 dy, GaborOcean ocean, std::uint32_t seed) {
+GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int whole_seconds, float fraction, gabor_vec2 dx, gabor_vec2 dy, GaborOcean ocean,
+                          std::uint32_t seed) {
     gabor_vec2 wind = gabor_impl_wave(0.15915494f * ocean.direction), swell = gabor_impl_wave(0.15915494f * ocean.swell.z);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
     gabor_vec3 squeeze = gabor_vec3(0.0f);
-    gabor_vec2 quantum = ocean.loop_seconds > 0 ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop_seconds, 1)), 1.52587890625e-5f * float(ocean.loop_seconds)) : gabor_vec2(1.0f);
+    gabor_vec2 quantum = ocean.loop_seconds > 0
+        ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop_seconds, 1)), 1.52587890625e-5f * float(ocean.loop_seconds)) : gabor_vec2(1.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     for (int i = 0; i < (ocean.swell.x > 0.0f ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {

@@ -64,7 +64,8 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds, with foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
+                    // with foam below 0.7
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 // GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
@@ -75,8 +76,10 @@ struct GaborWater {
 //     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
-//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy of
+// GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy,
+//                           GaborOcean ocean, uint seed)
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     float2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
@@ -169,7 +172,8 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float
         band.early -= float3(0.0, band.early.xy);
         band.spread = floor(511.5 * float3(a, b, c)) * float3(8.0, 0.00390625, 8.0);
         band.widen = floor(16384.0 * float2(1.0 - (fit.x + 1236.0) * widen, widen));
-        float speed = ocean.loop_seconds > 0 ? 0.0 : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
+        float speed = ocean.loop_seconds > 0 ? 0.0
+            : 32768.0 * gravity / (12.566371 * tick * low * 1.1892071) * exp2(-float(band.exponent));
         band.drift = int2(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5));
         ocean.band[i] = band;
     }
@@ -250,11 +254,13 @@ inline void gabor_impl_add_band(thread GaborWater& sum, thread float3& squeeze, 
     sum.lost += float3(dot(lost, x * x), dot(lost, x * y), dot(lost, float4(1.0)));
 }
 
-inline GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed) {
+inline GaborWater gabor_water_at(int2 cell, float2 local, int whole_seconds, float fraction, float2 dx, float2 dy, GaborOcean ocean,
+                          uint seed) {
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
     GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind)};
     float3 squeeze = float3(0.0);
-    float2 quantum = ocean.loop_seconds > 0 ? float2(float(65536 / max(ocean.loop_seconds, 1)), 1.52587890625e-5 * float(ocean.loop_seconds)) : float2(1.0);
+    float2 quantum = ocean.loop_seconds > 0
+        ? float2(float(65536 / max(ocean.loop_seconds, 1)), 1.52587890625e-5 * float(ocean.loop_seconds)) : float2(1.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ad72f7a69ad9a170.
+// naga 30.0.1 made it from GLSL with the digest 7ee065b258a4aae2.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
@@ -51,7 +51,7 @@ struct GaborWater {
     height: f32, // metres, of mean 0 and normally distributed
     slope: vec2<f32>, // derivatives of the height by p
     shift: vec2<f32>, // horizontal displacement in metres, towards crests, which it sharpens
-    jacobian: f32, // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds, with foam below 0.7
+    jacobian: f32, // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
     lost: vec3<f32>, // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 // GaborWater gabor_water(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
@@ -62,8 +62,10 @@ struct GaborWater {
 //     neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone have up to 1.8 times that.
 // f32 gabor_water_height(vec2f p, f32 seconds, GaborOcean ocean, u32 seed)
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
-// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 whole_seconds, f32 fraction, vec2f dx, vec2f dy, GaborOcean ocean, u32 seed)
-//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy of
+// GaborWater gabor_water_at(vec2i cell, vec2f local, i32 whole_seconds, f32 fraction, vec2f dx, vec2f dy,
+//                           GaborOcean ocean, u32 seed)
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     vec2f(0.0) do not filter.
 
 // [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",

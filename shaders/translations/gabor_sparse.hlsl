@@ -26,7 +26,8 @@
 #define GABOR_IMPULSES 1 // N, the number of impulses per cell: an int, at least 1
 #endif
 #ifndef GABOR_CELLS_PER_RADIUS
-#define GABOR_CELLS_PER_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis
+// R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
+#define GABOR_CELLS_PER_RADIUS 1.0
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
 #define GABOR_WEIGHT_FLOOR 0.675 // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability
@@ -56,7 +57,8 @@
 // float gabor_noise(float2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
@@ -69,8 +71,8 @@
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
 // float2 gabor_noise_quadrature(float2 p, float frequency, float orientation, uint seed)
-//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary and
-//     the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
 //     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
 // float2 gabor_turns_intensity(float2 noise_quadrature)
@@ -79,15 +81,15 @@
 
 // float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
 // float gabor_noise_animated(float2 p, float evolution, float frequency, float orientation, uint seed)
-//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -130,7 +132,8 @@ GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 
     return made;
 }
 
-// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
     float noise;
     float2 gradient;
@@ -153,8 +156,8 @@ GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 
 //     calls.
 
 // GaborPlace gabor_place(int2 cell, float2 local)
-//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
@@ -417,9 +420,11 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel_.amplitude * GABOR_CELLS_PER_RADIUS * rsqrt(place.cells_per_radius.x * place.cells_per_radius.y)
+    float scale = kernel_.amplitude * GABOR_CELLS_PER_RADIUS
+        * rsqrt(place.cells_per_radius.x * place.cells_per_radius.y)
                 * gabor_impl_phase_gain(kernel_, evolution);
-    return GaborField_of(scale * sum.y, scale * float2(slope_x.y, slope_y.y), scale * sum.x, scale * float2(slope_x.x, slope_y.x));
+    return GaborField_of(scale * sum.y, scale * float2(slope_x.y, slope_y.y), scale * sum.x,
+                      scale * float2(slope_x.x, slope_y.x));
 }
 
 float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed) {
@@ -431,12 +436,14 @@ float gabor_noise(float2 p, float frequency, float orientation, uint seed) {
 }
 
 float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed) {
-    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS), gabor_kernel(frequency, orientation), seed);
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
     return float3(field.noise, field.gradient);
 }
 
 float2 gabor_noise_quadrature(float2 p, float frequency, float orientation, uint seed) {
-    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS), gabor_kernel(frequency, orientation), seed);
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
     return float2(field.noise, field.quadrature);
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 0f701ddf1caed440.
+// naga 30.0.1 made it from GLSL with the digest 25e198bafac5a5a8.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
@@ -22,7 +22,8 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
@@ -35,8 +36,8 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
 // vec2f gabor_noise_quadrature(vec2f p, f32 frequency, f32 orientation, u32 seed)
-//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary and
-//     the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
 //     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
 // vec2f gabor_turns_intensity(vec2f noise_quadrature)
@@ -45,15 +46,15 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
 // f32 gabor_noise_animated(vec2f p, f32 evolution, f32 frequency, f32 orientation, u32 seed)
-//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // f32 gabor_unorm(f32 noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -76,7 +77,8 @@ struct GaborPlace {
     evolution: f32, // as in gabor_noise_animated, in turns: only its fraction counts
 }
 
-// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
     noise: f32,
     gradient: vec2<f32>,
@@ -89,8 +91,8 @@ struct GaborField {
 //     calls.
 
 // GaborPlace gabor_place(vec2i cell, vec2f local)
-//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.

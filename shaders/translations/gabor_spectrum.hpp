@@ -113,8 +113,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a float, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a float, within the period if there is one.
 GABOR_INLINE GaborPlace gabor_impl_stretched(GaborPlace place, gabor_vec2 radius) {
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     gabor_vec2 unit = 1.0f / (place.cells_per_radius * radius);

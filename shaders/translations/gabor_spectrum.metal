@@ -114,8 +114,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a float, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a float, within the period if there is one.
 inline GaborPlace gabor_impl_stretched(GaborPlace place, float2 radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     float2 unit = 1.0 / (place.cells_per_radius * radius);

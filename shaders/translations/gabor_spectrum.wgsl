@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ff1794147d8a0716.
+// naga 30.0.1 made it from GLSL with the digest 4298653a05cdf27c.
 // Paste it after gabor_noise.wgsl.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
@@ -97,8 +97,8 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is rounded to
-// a f32, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a f32, within the period if there is one.
 fn gabor_impl_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     var cell_2: vec2<i32>;
     var unit: vec2<f32>;

@@ -34,7 +34,7 @@ class Help(ProgramTest):
                               "--png", "--compression", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--boards",
                               "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
-                              "--maps", "--metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
+                              "--maps", "--width-metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),

@@ -384,7 +384,7 @@ TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights an
             fold.see(here.jacobian, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.1, where);
         }
     slope.check("slope");
-    fold.check("fold");
+    fold.check("jacobian");
 }
 
 TEST_CASE("the sea's filter keeps or loses all variance of the slopes, and the rest is Cox and Munk's",
