@@ -307,7 +307,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.erode(np.zeros(5), 2), "heights is an array of shape (5,)"),
                 (lambda: gn.material("wod", 0, 0), "name is 'wod': expected one of wood"),
                 (lambda: gn.material("wood", 0, 0, rings=300), "rings is 300: expected a number from 2 to 60"),
-                (lambda: gn.material("wood", 0, 0, early=0.5), "early is 0.5: expected a linear colour"),
+                (lambda: gn.material("wood", 0, 0, earlywood_colour=0.5), "earlywood_colour is 0.5: expected a linear colour"),
                 (lambda: gn.source("noise", "basic"), "language is 'basic'"),
                 (lambda: gn.source("perlin"), "name is 'perlin'")):
             with self.assertRaises(ValueError, msg=said) as caught:
