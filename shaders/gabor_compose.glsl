@@ -34,25 +34,25 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    vec3 joint;   // colour of the joints
-    float width;  // width of the boards along x, in units, 0.05 to 10
-    float reach;  // length of the boards along y, in units, 0.05 to 20
-    float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
-    float turns;  // share of the boards whose material is turned by a quarter turn, 0 to 1
-    float shades; // how much darker the darkest boards are than the material, 0 to 1
-    float gap;    // width of the joints, in units, 0 to 0.2
-    float depth;  // depth of the joints below height 0, in units, 0 to 0.2
+    vec3 joint_colour;     // colour of the joints
+    float board_width;     // width of the boards along x, in units, 0.05 to 10
+    float board_length;    // length of the boards along y, in units, 0.05 to 20
+    float offset;          // shift of each column or row from the one before it, in boards, 0 to 1
+    float turned_share;    // share of the boards whose material is turned by a quarter turn, 0 to 1
+    float shade_variation; // how much darker the darkest boards are than the material, 0 to 1
+    float joint_width;     // width of the joints, in units, 0 to 0.2
+    float joint_depth;     // depth of the joints below height 0, in units, 0 to 0.2
 };
 
 // The board at a point.
 struct GaborBoard {
-    vec2 position; // where to evaluate its material
-    vec2 dx;       // the pixel there, for a filtered material
+    vec2 position;    // where to evaluate its material
+    vec2 dx;          // the pixel there, for a filtered material
     vec2 dy;
-    uint seed;     // the board's own seed for its material
-    vec2 turn;     // cosine and sine of its turn
-    float tone;    // factor for its colours
-    vec3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
+    uint seed;        // the board's own seed for its material
+    vec2 rotation;    // cosine and sine of its turn
+    float shade;      // factor for its colours
+    vec3 joint_cover; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
 // GaborBoards gabor_boards_default()
@@ -104,9 +104,9 @@ vec2 gabor_impl_board_index(vec2 index, vec2 count) {
 }
 
 GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards, uint seed) {
-    vec2 size = vec2(boards.width, boards.reach), count = vec2(0.0);
+    vec2 size = vec2(boards.board_width, boards.board_length), count = vec2(0.0);
     bool rows = size.x > size.y;
-    float shift = boards.shift;
+    float shift = boards.offset;
     if (period.x > 0.0) { // the shift must also fit between the last row and the first
         count = max(floor(period / size + 0.5), vec2(1.0));
         float lines = rows ? count.y : count.x, rest = fract(lines * shift);
@@ -120,31 +120,31 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     vec2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
     uint salt = gabor_impl_salt(seed);
     uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    uint random = gabor_lobe_seed(word, 1);
-    vec2 turn = float(random & 65535u) < 65536.0 * boards.turns ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+    uint random = gabor_derived_seed(word, 1);
+    vec2 turn = float(random & 65535u) < 65536.0 * boards.turned_share ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec2 back = vec2(turn.x, -turn.y);
     vec2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     vec2 boards_wide = min(wide / (size * size), 4.0);
     // 19.739209 is 2 pi^2
     float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
-    vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
-    vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    vec2 across = gabor_impl_joints(local.x, size.x, boards.joint_width, wide.x);
+    vec2 along = gabor_impl_joints(local.y, size.y, boards.joint_width, wide.y);
     vec2 free = 1.0 - vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark,
                       vec3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
 }
 
 GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {
-    float joint = board.joint.x, free = 1.0 - joint;
-    vec2 back = vec2(board.turn.x, -board.turn.y);
-    return GaborMaterial(mix(board.tone * material.colour, boards.joint, joint),
-                         free * material.height - joint * boards.depth,
-                         free * gabor_impl_product(material.slope, board.turn)
-                             - (material.height + boards.depth) * board.joint.yz,
+    float joint = board.joint_cover.x, free = 1.0 - joint;
+    vec2 back = vec2(board.rotation.x, -board.rotation.y);
+    return GaborMaterial(mix(board.shade * material.colour, boards.joint_colour, joint),
+                         free * material.height - joint * boards.joint_depth,
+                         free * gabor_impl_product(material.slope, board.rotation)
+                             - (material.height + boards.joint_depth) * board.joint_cover.yz,
                          mix(material.roughness, max(material.roughness, 0.8), joint), free * material.metalness,
-                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx));
+                         free * gabor_impl_turned_square(material.lost, back, board.rotation.yx));
 }
 
 // The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the

@@ -69,7 +69,7 @@ vec2 gabor_node_position(GaborPlace place, int index) {
     ivec2 node = ivec2(floor(place.local + 0.5)) + ivec2(index - index / 3 * 3 - 1, index / 3 - 1);
     node = ivec2(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
                  gabor_impl_wrap(place.cell.y + node.y, place.period.y));
-    return vec2(node) / place.radius;
+    return vec2(node) / place.cells_per_radius;
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
@@ -85,15 +85,15 @@ void gabor_impl_add_directed_wave(inout GaborField sum, vec2 amplitude, vec2 wav
 
 GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
-    vec2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
-            vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
+            vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.evolution);
+            vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.cells_per_radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          vec2(x.node[i].x, stretch.x * x.node[i].z),
                                          vec2(y.node[j].x, stretch.y * y.node[j].z));

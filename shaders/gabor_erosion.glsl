@@ -4,7 +4,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     vec4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     vec4 cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -28,19 +28,19 @@ struct GaborTerrain {
 
 struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
-    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    float strength;        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
                            // for equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
                            // the rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
                            // for even stripes
-    float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
-    float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
-    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    float ridge_rounding;  // width of rounded ridges in radians of the first octave, 0 to 10, usually 0 to 2
+    float crease_rounding; // width of rounded creases in radians of the first octave, 0 to 10, usually 0 to 2
+    float gully_weight;    // depth of gullies, as a share of how far peaks and valleys move, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
@@ -58,7 +58,7 @@ struct GaborErosion {
 //     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
 //     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
-// vec4 gabor_ground(GaborTerrain terrain)
+// vec4 gabor_ground_cover(GaborTerrain terrain)
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
 //     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
 //     -1 to 1, as those of gabor_terrain.
@@ -84,22 +84,24 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes
+// per unit of p, so that wave vectors and derivatives are per unit of p.
 GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
-    place.radius = vec2(float(rounded) / 65536.0);
+    place.cells_per_radius = vec2(float(rounded) / 65536.0);
     uvec2 low = (uvec2(ground.cell) & uvec2(0xffffu)) * (rounded & 0xffffu);
     uvec2 high = uvec2(ground.cell) * (rounded >> 16u) + uvec2(ground.cell >> ivec2(16)) * (rounded & 0xffffu);
     place.cell = ivec2(high + (low >> uvec2(16u)));
-    place.local = vec2(low & uvec2(0xffffu)) / 65536.0 + ground.local * place.radius;
+    place.local = vec2(low & uvec2(0xffffu)) / 65536.0 + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) return place;
-    place.period = ivec2(max(floor(ground.period * place.radius + 0.5), 4.0));
-    if (ground.period.x > 0.0) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
-    if (ground.period.y > 0.0) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.period = ivec2(max(floor(ground.period * place.cells_per_radius + 0.5), 4.0));
+    if (ground.period.x > 0.0) place.cells_per_radius.x = float(place.period.x) / ground.period.x;
+    else place.period.x = 0;
+    if (ground.period.y > 0.0) place.cells_per_radius.y = float(place.period.y) / ground.period.y;
+    else place.period.y = 0;
     place.cell = ivec2(0);
-    place.local = (vec2(ground.cell) + ground.local) * place.radius;
+    place.local = (vec2(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
 }
 
@@ -176,13 +178,14 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     vec2 second = 0.33 * unit * unit * vec2(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     vec2 along_x = hills.slope_x, along_y = hills.slope_y;
-    vec2 slope = place.radius * vec2(dot(first, along_x), dot(first, along_y));
+    vec2 slope = place.cells_per_radius * vec2(dot(first, along_x), dot(first, along_y));
     vec3 curvature =
         vec3(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
                dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                    + second.y * along_x.y * along_y.y,
                dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
-    curvature *= vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    curvature *= vec3(place.cells_per_radius * place.cells_per_radius.x,
+                      place.cells_per_radius.y * place.cells_per_radius.y);
     float to_ridge = inversesqrt(1.0 + height * height);
     return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,
                         to_ridge * to_ridge * to_ridge / 0.33 * slope);
@@ -222,9 +225,11 @@ void gabor_impl_add_bent_row(inout vec4 sum, inout vec2 along_y, inout vec4 plac
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
 GaborImplBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direction, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y,
+                                      place.cells_per_radius.y);
     vec4 sum = vec4(0.0), places = vec4(0.0);
     vec2 along_y = vec2(0.0);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -232,9 +237,10 @@ GaborImplBentField gabor_impl_bent_field(GaborPlace place, vec2 wave, vec2 direc
     if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
     if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
     vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    GaborField field = gabor_impl_field(sum, vec4(along_y, 0.0, 0.0), turn, wave, place.radius / GABOR_RADIUS);
+    GaborField field = gabor_impl_field(sum, vec4(along_y, 0.0, 0.0), turn, wave,
+                                        place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     vec2 value = vec2(field.quadrature, field.noise);
-    direction *= 6.2831853 / place.radius;
+    direction *= 6.2831853 / place.cells_per_radius;
     vec2 nodes = direction.x * places.xy + direction.y * places.zw;
     vec2 bent = dot(direction, vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -264,13 +270,13 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
     vec2 steer = base.slope, steer_x = base.curvature.xy, steer_y = base.curvature.yz;
     float gully = base.ridge, ridge = base.ridge, sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
     vec2 gully_slope = base.ridge_slope, sum_slope = vec2(0.0);
-    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float frequency = erosion.gully_frequency, depth = erosion.strength / erosion.gully_frequency;
     float mask = 1.0, open = 1.0;
     float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     vec2 mask_slope = vec2(0.0), open_slope = vec2(0.0);
     float rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding), peak = clamp(base.ridge, 0.0, 1.0);
     vec2 rounding_slope = rounded * base.ridge_slope;
-    float per_onset = 1.0 / max(erosion.onset, 1.0e-6);
+    float per_onset = 1.0 / max(erosion.onset_slope, 1.0e-6);
     for (int i = 0; i < erosion.octaves; ++i) {
         float steep = max(length(steer), 1.0e-9);
         vec2 down = steer / steep, across = vec2(-down.y, down.x);
@@ -290,8 +296,9 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         float share = 1.02 * exp(-4.9348022 * dot(steps, steps)), kept = max(share - 0.02, 0.0); // pi^2 / 2
         vec2 z = vec2(0.0), z_x = vec2(0.0), z_y = vec2(0.0), kept_slope = vec2(0.0);
         if (kept > 0.0) {
-            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            // 1.25 gullies per radius.
+            GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_CELLS_PER_RADIUS * frequency);
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = inversesqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -315,7 +322,7 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         steer -= turn * wave;
         steer_x += turn * bend.x * down - turn_slope.x * wave;
         steer_y += turn * bend.y * down - turn_slope.y * wave;
-        float wide = frequency / erosion.frequency;
+        float wide = frequency / erosion.gully_frequency;
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         rounding_slope = rounded * vec2(z_x.x, z_y.x);
         vec3 edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
@@ -345,7 +352,7 @@ GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint 
     return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), vec2(0.0), vec2(0.0), base, erosion, seed);
 }
 
-vec4 gabor_ground(GaborTerrain terrain) {
+vec4 gabor_ground_cover(GaborTerrain terrain) {
     float steep = length(terrain.slope);
     float scree = smoothstep(-0.3, 0.35, terrain.height + 0.1 * terrain.ridge), rock = smoothstep(0.55, 1.0, steep);
     float snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));

@@ -90,17 +90,18 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
     // 157.91367 is 16 pi^2
     vec3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                                       place.period.x, salt,
+                                                           gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS));
     GaborImplFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
                                                        place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                                       gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS));
     GaborImplFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
                                                        place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                                       gabor_impl_wave(wave.z / GABOR_CELLS_PER_RADIUS));
     GaborImplColumns columns = gabor_impl_columns(x);
     GaborImplFilteredLine first = gabor_impl_line_before(y, vec2(y.back.x, -y.back.y));
     GaborImplFilteredLine slice = gabor_impl_line_before(
-        z, gabor_impl_wave(dot(wave, vec3(x.offset, y.offset, z.offset + 1.0)) / GABOR_RADIUS));
+        z, gabor_impl_wave(dot(wave, vec3(x.offset, y.offset, z.offset + 1.0)) / GABOR_CELLS_PER_RADIUS));
     GaborImplFactors none = GaborImplFactors(vec3(0.0), vec3(0.0));
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
     vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), next_z = vec2(0.0);
@@ -114,7 +115,7 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborImplFactors edge = GaborImplFactors(vec3(0.0), vec3(0.0)); // unused
             GaborImplFactors sum =
-                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, edge);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -144,7 +145,7 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, vec3 wave, GaborImp
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
-// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
+// for isotropic noise, otherwise in units of GABOR_CELLS_PER_RADIUS node spacings.
 struct GaborImplPixelAxes {
     vec3 major;
     vec3 minor;
@@ -186,9 +187,9 @@ float gabor_impl_transmitted_3d(vec3 wave, GaborImplPixelAxes pixel) {
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
 // yz, zx and xy.
 void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
-                                   vec3 mixed, float moment) {
+                                   vec3 mixed, float evolution) {
     vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
+    gabor_impl_sum_slice(x, y, z, 0, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy);
     slopes += vec4(gabor_impl_product(slope.xy, z.node[0].xy), gabor_impl_product(slice.xy, z.node[0].zw));
     sum += vec4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[0].zw)
@@ -199,11 +200,12 @@ void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborImplA
 // compiles a loop whose length it does not know much faster than three calls.
 GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborImplMatrix pixel, bool wanted,
                                            uint salt) {
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
     GaborImplAxis unused = x;
@@ -213,7 +215,7 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborI
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
     int slices = wanted ? 3 : 0;
     for (int k = 0; k < slices; ++k) {
-        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.moment);
+        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.evolution);
         z.node[0] = z.node[1];
         z.node[1] = z.node[2];
         z.word[0] = z.word[1];
@@ -223,7 +225,7 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborI
 }
 
 GaborField3d gabor_field_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, vec3 wave, uint seed) {
-    vec3 stretch = place.radius / GABOR_RADIUS;
+    vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0);
@@ -251,7 +253,7 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, 
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_derived_seed(seed, i)),
                                 sqrt(power), vec3(1.0));
     }
     return sum;
@@ -280,9 +282,9 @@ GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float vari
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
 // s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
-                                     GaborImplFilteredNode z, vec4 wave, float moment, GaborImplMatrix pixel,
+                                     GaborImplFilteredNode z, vec4 wave, float evolution, GaborImplMatrix pixel,
                                      uint word) {
-    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     vec3 middle = vec3(x.middle, y.middle, z.middle), cosine = vec3(x.cosine, y.cosine, z.cosine);
     vec3 sine = vec3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
     a *= exp(-max(dot(wave.xyz, s), 0.0));
@@ -304,15 +306,15 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNo
 }
 
 void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
-                                      GaborImplFilteredNode z, vec3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplFilteredNode z, vec3 scale, float evolution, GaborImplMatrix pixel,
                                       GaborImplTangents tangents, uint column, uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     vec4 unit = vec4(scale, 1.0);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, moment, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, moment, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, evolution, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, evolution, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, moment, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, evolution, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
@@ -341,7 +343,7 @@ float gabor_impl_transmitted_isotropic(float frequency, GaborImplPixelAxes pixel
 
 GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float frequency,
                                            GaborImplTangents tangents, uint seed) {
-    vec3 stretch = place.radius / GABOR_RADIUS;
+    vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, vec3(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
     float transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
@@ -354,11 +356,12 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy,
         gabor_impl_covariance(GaborImplPixelAxes(resolved.major * stretch, resolved.minor * stretch));
     vec3 s = pixel.diagonal, scale = frequency / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                        GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -367,9 +370,9 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, vec3 dx, vec3 dy,
         GaborImplFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
         GaborImplFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[0], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[1], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[2], row);
     }
     amplitude *= inversesqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
                / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -389,7 +392,7 @@ GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3 dx,
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
         float power = gabor_impl_takeover(i == 0 ? smoothstep(0.25, 0.5, aside) : 1.0 - smoothstep(0.25, 0.5, aside));
         GaborField3d field = gabor_impl_isotropic_filtered(place, dx, dy, frequency, gabor_impl_tangents(normal, i),
-                                                           gabor_lobe_seed(seed, i));
+                                                           gabor_derived_seed(seed, i));
         gabor_impl_add_field_3d(sum, field, sqrt(power), vec3(1.0));
     }
     return sum;

@@ -63,19 +63,19 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    vec3 early;      // colour of the early wood
-    vec3 late;       // colour of the late wood
-    float rings;     // growth rings per unit, 2 to 60
-    float waviness;  // how much the rings bend, 0 to 3
-    float pores;     // strength of the pores, 0 to 1
-    float roughness; // roughness of the early wood, 0 to 1
+    vec3 earlywood_colour; // colour of the early wood
+    vec3 latewood_colour;  // colour of the late wood
+    float rings;           // growth rings per unit, 2 to 60
+    float waviness;        // how much the rings bend, 0 to 3
+    float pore_strength;   // strength of the pores, 0 to 1
+    float roughness;       // roughness of the early wood, 0 to 1
 };
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    vec3 warp;        // colour of the threads along y
-    vec3 weft;        // colour of the threads along x
+    vec3 warp_colour; // colour of the threads along y
+    vec3 weft_colour; // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
@@ -86,98 +86,98 @@ struct GaborFabric {
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    vec3 pebble;     // colour of the cells
-    vec3 crease;     // colour between the cells
-    float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // how much the rows of cells bend, 0 to 3
-    float relief;    // height of the cells, relative to the default, 0 to 3
-    float roughness; // roughness of the cells, 0 to 0.7
+    vec3 pebble_colour; // colour of the cells
+    vec3 crease_colour; // colour between the cells
+    float cells;        // cells per unit, 2 to 30
+    float waviness;     // how much the rows of cells bend, 0 to 3
+    float relief;       // height of the cells, relative to the default, 0 to 3
+    float roughness;    // roughness of the cells, 0 to 0.7
 };
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    vec3 stone;       // colour of the stone
-    vec3 vein;        // colour of the darkest veins
-    float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // how much the veins bend, 0 to 2
-    float clouds;     // darkening by clouds, 0 to 1
-    float roughness;  // 0 to 1
+    vec3 stone_colour;    // colour of the stone
+    vec3 vein_colour;     // colour of the darkest veins
+    float vein_strength;  // strength of the veins, 0 to 1.3
+    float turbulence;     // how much the veins bend, 0 to 2
+    float cloud_strength; // darkening by clouds, 0 to 1
+    float roughness;      // 0 to 1
 };
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    vec3 trough;     // colour of the troughs
-    vec3 crest;      // colour of the crests
-    float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units, 0 to 0.2
-    float grain;     // contrast of the grains, 0 to 0.25
-    float roughness; // 0 to 1
+    vec3 trough_colour;   // colour of the troughs
+    vec3 crest_colour;    // colour of the crests
+    float ripples;        // ripples per unit, 1 to 20
+    float ripple_height;  // height of the ripples, in units, 0 to 0.2
+    float grain_contrast; // contrast of the grains, 0 to 0.25
+    float roughness;      // 0 to 1
 };
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    vec3 colour;      // colour of the metal
-    vec3 patina;      // colour of the patina
-    float streaks;    // number of the widest streaks per unit, 1 to 50
-    float contrast;   // contrast of the streaks, 0 to 0.5
-    float relief;     // height of the widest streaks, in units, 0 to 0.01
-    float roughness;  // roughness of the metal, 0 to 1
-    float weathering; // amount of patina, 0 to 1
+    vec3 metal_colour;     // colour of the metal
+    vec3 patina_colour;    // colour of the patina
+    float streaks;         // number of the widest streaks per unit, 1 to 50
+    float streak_contrast; // contrast of the streaks, 0 to 0.5
+    float streak_height;   // height of the widest streaks, in units, 0 to 0.01
+    float roughness;       // roughness of the metal, 0 to 1
+    float patina_amount;   // amount of patina, 0 to 1
 };
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    vec3 lacquer;    // colour of the lacquer
-    vec3 scratch;    // colour in the scratches
-    float amount;    // number of scratches, relative to the default, 0.01 to 8
-    float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
-    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // depth of the scratches, in units, 0 to 0.02
-    float roughness; // 0 to 1
+    vec3 lacquer_colour;     // colour of the lacquer
+    vec3 scratch_colour;     // colour in the scratches
+    float amount;            // number of scratches, relative to the default, 0.01 to 8
+    float scratch_length;    // length of the scratches, in units, 0.3 to 10
+    float scratch_direction; // mean direction along the scratches, -6.2832 to 6.2832 radians
+    float direction_spread;  // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
+    float depth;             // depth of the scratches, in units, 0 to 0.02
+    float roughness;         // 0 to 1
 };
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    vec3 bright;     // colour between the stripes
-    vec3 stripe;     // colour of the stripes
-    float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
-    float hair;      // contrast of the hair, 0 to 3
-    float roughness; // 0 to 1
+    vec3 background_colour; // colour between the stripes
+    vec3 stripe_colour;     // colour of the stripes
+    float stripes;          // stripes per unit, 0.5 to 20
+    float orientation;      // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    float bend_angle;       // how much the stripes' direction changes, 0 to 1.5708 radians
+    float hair_contrast;    // contrast of the hair, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    vec3 plate;      // colour of the plates
-    vec3 furrow;     // colour of the furrows
-    vec3 moss;       // colour of the moss
-    float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // amount of moss, 0 to 1
-    float depth;     // depth of the furrows, in units, 0 to 0.4
-    float roughness; // 0 to 1
+    vec3 plate_colour;  // colour of the plates
+    vec3 furrow_colour; // colour of the furrows
+    vec3 moss_colour;   // colour of the moss
+    float furrows;      // furrows per unit, 0.5 to 10
+    float moss_amount;  // amount of moss, 0 to 1
+    float depth;        // depth of the furrows, in units, 0 to 0.4
+    float roughness;    // 0 to 1
 };
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    vec3 colour;     // colour of the fibres
-    float tows;      // tows per unit, 1 to 20
-    float contrast;  // contrast of the fibres, 0 to 0.6
-    float relief;    // height of the tows, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    vec3 colour;          // colour of the fibres
+    float tows;           // tows per unit, 1 to 20
+    float fibre_contrast; // contrast of the fibres, 0 to 0.6
+    float relief;         // height of the tows, relative to the default, 0 to 3
+    float roughness;      // 0 to 1
 };
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    vec3 rock;       // colour of the darker rock
-    vec3 sandstone;  // colour of the lighter rock
-    vec3 red;        // colour of the soft layers
-    vec3 pale;       // colour of the thin layers
-    float layers;    // layers per unit, 1 to 30
-    float folds;     // how much the layers bend, 0 to 3
-    float relief;    // height of the layers, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    vec3 dark_rock_colour;  // colour of the darker rock
+    vec3 light_rock_colour; // colour of the lighter rock
+    vec3 soft_layer_colour; // colour of the soft layers
+    vec3 thin_layer_colour; // colour of the thin layers
+    float layers;           // layers per unit, 1 to 30
+    float folding;          // how much the layers bend, 0 to 3
+    float relief;           // height of the layers, relative to the default, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // ====================================================================================================================
@@ -277,7 +277,7 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    vec2 stretch = scale * place.radius / GABOR_RADIUS;
+    vec2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
@@ -293,7 +293,7 @@ GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, 
     vec4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
-    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel(at.position + amplitude * vec2(field.quadrature, field.noise),
@@ -360,13 +360,13 @@ struct GaborImplLayer {
 
 // A layer of frequency 0.
 GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, vec2 density, uint seed, int index) {
-    return GaborImplLayer(slot, at, density, vec2(0.0), 1.0, gabor_lobe_seed(seed, index));
+    return GaborImplLayer(slot, at, density, vec2(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
 GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density, float frequency, float orientation,
                                       uint seed, int index) {
     return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
-                          gabor_lobe_seed(seed, index));
+                          gabor_derived_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -374,7 +374,7 @@ GaborImplLayer gabor_impl_octave(GaborImplPixel at, vec2 density, int i, int cou
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0),
-                          pow(gain, float(i)) * inversesqrt(power), gabor_lobe_seed(seed, i));
+                          pow(gain, float(i)) * inversesqrt(power), gabor_derived_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -559,7 +559,7 @@ GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
 
 // The same as gabor_field_filtered with the wave vector 0.
 GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint seed) {
-    vec2 stretch = place.radius / GABOR_RADIUS;
+    vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(vec2(0.0), footprint.covariance);
     float amplitude = sqrt(kept / gabor_impl_transmitted(vec2(0.0), footprint.resolved));
@@ -737,16 +737,19 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
     vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     vec3 ring = gabor_impl_rise(years, vec3(kept, 0.0, 0.0));
-    vec3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
+    vec3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
     vec3 within = vec3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
     vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11)
                + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13);
-    vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
-                + 0.45 * deep.x * wood.late;
+    vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
+                + 0.45 * deep.x * wood.latewood_colour;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
-    float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    // Mean square.
+    float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05 * (1.0 - kept * kept));
     vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
               + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
@@ -838,7 +841,8 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
                     + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12);
     vec2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09 * uneven)
                     + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12);
-    vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
+        weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -910,8 +914,10 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
     vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
-    vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
-    vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
+    vec3 warp = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
+    vec3 weft = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -956,7 +962,7 @@ GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres
 // middle.
 
 GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
-    vec2 bends = vec2(0.07, 0.014) * leather.wrinkles;
+    vec2 bends = vec2(0.07, 0.014) * leather.waviness;
     GaborImplPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(bends.x), seed, 0);
     return gabor_impl_warp(skin, vec2(4.0), vec2(bends.y), seed, 1);
 }
@@ -964,7 +970,7 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 // Three octaves of fine grain, the tone, and the first two waves.
 GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(0.8), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
@@ -1024,7 +1030,8 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     share = mix(0.806, share / float(samples), kept);
     vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
-    vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    vec3 colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                      share);
     lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1053,7 +1060,7 @@ GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint s
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
-    if (i < 3) return gabor_impl_octave(stone, vec2(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
+    if (i < 3) return gabor_impl_octave(stone, vec2(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 9);
     vec3 vein = i == 4 ? vec3(1.9, 0.95, -0.45) : i == 5 ? vec3(0.95, 0.85, 0.65)
               : i == 6 ? vec3(4.5, 0.95, 0.95) : vec3(13.0, 0.9, 0.2);
@@ -1061,8 +1068,8 @@ GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPix
 }
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
-    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    vec3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+    float clouds = marble.cloud_strength * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    vec3 colour = gabor_impl_toned(marble.stone_colour * (1.0 - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
@@ -1071,12 +1078,12 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborIm
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     vec2 width = i == 4 ? vec2(0.25, 0.035) : i == 5 ? vec2(0.35, 0.05) : vec2(1.0, i == 6 ? 0.04 : 0.05);
-    vec2 strength = marble.veins * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));
+    vec2 strength = marble.vein_strength * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
     strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
-    vec3 halo = mix(marble.stone, marble.vein, 0.65);
-    vec3 core = mix(marble.stone, marble.vein, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
+    vec3 halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
+    vec3 core = mix(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
     stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
     stone.colour = clamp(stone.colour, 0.0, 1.0);
 }
@@ -1105,7 +1112,7 @@ GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
 
 // Three octaves of large shapes, grains, and ripples.
 GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, vec2(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, vec2(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, vec2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
@@ -1115,17 +1122,20 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.pair_2.removed, span = 0.9 * sqrt(power / whole);
     vec2 change = z.x * of.pair_2.first.yz + z.y * of.pair_2.second.yz; // half the derivative of the power
     // 0.15915494 is 1/(2 pi)
-    vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
+    vec3 phase = vec3(gabor_turns_intensity(z.yx).x,
+                      0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
-    vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+    vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain_contrast)
                + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06);
-    vec3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    vec3 colour = mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                      ripple.x);
     float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
-    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
-    colour = mix(colour, mix(sand.crest, vec3(1.0), 0.6), 3.0 * sand.grain * bright);
-    vec3 tall = vec3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.pair_0.first;
-    vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first + 0.00875 * sand.grain * of.pair_1.first;
+    colour = mix(colour, 0.23 * sand.trough_colour, 3.75 * sand.grain_contrast * dark);
+    colour = mix(colour, mix(sand.crest_colour, vec3(1.0), 0.6), 3.0 * sand.grain_contrast * bright);
+    vec3 tall = vec3(sand.ripple_height, 0.0, 0.0) + 0.2 * sand.ripple_height * of.pair_0.first;
+    vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first
+        + 0.00875 * sand.grain_contrast * of.pair_1.first;
     vec2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = vec2(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
@@ -1133,7 +1143,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     // 7.65625e-5 is 0.00875^2
     vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of.pair_1.lost;
+              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
@@ -1153,14 +1163,14 @@ GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
 
 // Five sizes of streaks, and six octaves of patina.
 GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
-    if (i >= 5) return gabor_impl_octave(pixel, vec2(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, vec2(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5));
     vec2 density = vec2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
 int gabor_impl_metal_layers(GaborBrushedMetal metal) {
-    return metal.weathering > 0.0 ? 11 : 5;
+    return metal.patina_amount > 0.0 ? 11 : 5;
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
@@ -1178,12 +1188,14 @@ void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, 
 
 GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
     vec3 colour =
-        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
-    vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
-    if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
-    float threshold = 2.4 - 3.8 * metal.weathering;
+        gabor_impl_toned(metal.metal_colour,
+                         gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.streak_contrast));
+    vec3 height = metal.streak_height * of.pair_0.first,
+        lost = metal.streak_height * metal.streak_height * of.pair_0.lost;
+    if (metal.patina_amount <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
+    float threshold = 2.4 - 3.8 * metal.patina_amount;
     vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
-    vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
+    vec3 patina = gabor_impl_toned(metal.patina_colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
     height += 0.003 * cover + 0.001 * of.pair_1.first;
     lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
           + 1.0e-6 * of.pair_1.lost;
@@ -1207,13 +1219,16 @@ GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal meta
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
-    float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5); // 3 - sqrt(5)
+    // 3 - sqrt(5).
+    float angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0 * fract(0.0955 + 0.763932 * float(i)) - 1.0);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1233,7 +1248,8 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
 
 GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     vec3 height = scratches.depth * vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0);
 }
 
@@ -1254,7 +1270,7 @@ GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, uint seed) {
 
 float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, vec2(0.6));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.orientation + zebra.bend_angle * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1267,15 +1283,16 @@ GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixe
 }
 
 GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
-    float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
+    float ragged = 0.1 * zebra.hair_contrast, relief = 0.002 * zebra.hair_contrast;
     // where it is small, a constant softness would blur the edge
     float intensity = length(vec2(of.pair_2.first.x, of.pair_2.second.x));
     float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
                                   of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
+    vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair_contrast)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
-    vec3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    vec3 colour = mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                      dark);
     return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
                                0.0);
 }
@@ -1303,7 +1320,7 @@ GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, uint seed) {
 GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, uint seed) {
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
-    if (i < 5) return gabor_impl_octave(at, vec2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
+    if (i < 5) return gabor_impl_octave(at, vec2(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, vec2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, vec2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
     return gabor_impl_waves_layer(3, trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
@@ -1317,11 +1334,13 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     vec3 weighted = of.pair_0.second + vec3(0.25 * of.pair_0.removed, 0.0, 0.0);
     float worn = 0.5 * gabor_impl_above(weighted, of.pair_0.removed, 0.5, 0.4).x;
-    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
+    float covered = bark.moss_amount * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
     vec2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25);
-    vec3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3(1.0), 0.13), tone), worn);
-    vec3 moss = gabor_impl_toned(bark.moss, tone);
-    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    vec3 top = mix(gabor_impl_toned(bark.plate_colour, tone),
+                   gabor_impl_toned(mix(bark.plate_colour, vec3(1.0), 0.13), tone), worn);
+    vec3 moss = gabor_impl_toned(bark.moss_colour, tone);
+    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), mix(top, moss, 0.6 * covered),
+                      plate.x);
     vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
     vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
@@ -1354,7 +1373,7 @@ GaborMaterial gabor_bark_at(vec2 p, vec2 period, GaborBark bark, uint seed) {
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint seed) {
-    vec4 folds = vec4(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    vec4 folds = vec4(0.2, 0.016, 0.022, 0.004) * strata.folding;
     GaborImplPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, vec2(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, vec2(7.0, 10.0), vec2(folds.w), seed, 2);
@@ -1364,7 +1383,7 @@ GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint se
 GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
                                        uint seed) {
     if (i < 4)
-        return gabor_impl_octave(pixel, vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, vec2(16.0, 24.0), i, 4, 0.8, gabor_derived_seed(seed, 7));
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
                  : i == 6 ? vec2(0.25, 2.8333333) : vec2(0.6, 8.3333333);
@@ -1375,12 +1394,13 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
     vec3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
     vec2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11);
-    vec3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+    vec3 colour = mix(gabor_impl_toned(strata.dark_rock_colour, tones),
+                      gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0, 0.5).x);
-    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
-    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+    colour = mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),
                  0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
-    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.soft_layer_colour, tones),
                  0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
     vec3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
                 + 0.003 * of.pair_0.second;
@@ -1555,7 +1575,7 @@ GaborBrushedMetal gabor_brushed_metal_default() {
 }
 GaborScratches gabor_scratches_default() {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+    return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
                           0.3);
 }
 GaborZebra gabor_zebra_default() {

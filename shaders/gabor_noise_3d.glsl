@@ -10,7 +10,7 @@
 //     the same without a direction             gabor_noise_3d_isotropic
 //     noise along a direction on any mesh      gabor_noise_surface
 //     the same without a direction             gabor_field_surface_isotropic
-//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     derivatives, periods, an evolution       a place, then gabor_field_3d and so on
 //     noise averaged over a pixel              gabor_filter_3d.glsl
 //
 // Arguments of all functions, besides those of gabor_noise.glsl:
@@ -29,13 +29,13 @@
 #error gabor_noise_3d.glsl needs GABOR_TAPS 3
 #endif
 
-// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
 struct GaborPlace3d {
     ivec3 cell;
     vec3 local;
-    vec3 radius;
+    vec3 cells_per_radius;
     ivec3 period;
-    float moment;
+    float evolution;
 };
 
 // GaborPlace3d gabor_place_3d_at(vec3 p)
@@ -81,17 +81,17 @@ struct GaborField3d {
 // ====================================================================================================================
 
 GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local) {
-    return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), 0.0);
+    return GaborPlace3d(cell, local, vec3(GABOR_CELLS_PER_RADIUS), ivec3(0), 0.0);
 }
 
 GaborPlace3d gabor_place_3d_at(vec3 p) {
-    return gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
+    return gabor_place_3d(ivec3(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period) {
     GaborPlace xy = gabor_place_tiled(p.xy, period.xy), z = gabor_place_tiled(p.zz, period.zz);
-    return GaborPlace3d(ivec3(0), vec3(xy.local, z.local.x), vec3(xy.radius, z.radius.x), ivec3(xy.period, z.period.x),
-                        0.0);
+    return GaborPlace3d(ivec3(0), vec3(xy.local, z.local.x), vec3(xy.cells_per_radius, z.cells_per_radius.x),
+                        ivec3(xy.period, z.period.x), 0.0);
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
@@ -126,19 +126,19 @@ uint gabor_impl_slice_word(uint row, uint slice) {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, out vec4 sum,
+void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float evolution, out vec4 sum,
                           out vec4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, moment, sum, slope);
+    gabor_impl_sum(x, y, evolution, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
 void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
-                          float moment) {
+                          float evolution) {
     vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
 }
@@ -154,22 +154,23 @@ GaborField3d gabor_impl_field_3d(vec4 sum, vec4 slopes, vec2 turn, vec3 wave) {
                         sum.x, vec3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
+// With periods, nodes are not 1 / GABOR_CELLS_PER_RADIUS kernel radii apart, so all lengths here are in units of
+// GABOR_CELLS_PER_RADIUS node spacings.
 GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed) {
-    vec3 stretch = place.radius / GABOR_RADIUS;
+    vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.evolution);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -204,7 +205,7 @@ GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequenc
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), sqrt(power), vec3(1.0));
+        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_derived_seed(seed, i)), sqrt(power), vec3(1.0));
     }
     return sum;
 }
@@ -270,8 +271,8 @@ GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, vec3 d, uint word
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
 // node to the point.
-void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, float moment, uint word) {
-    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, float evolution, uint word) {
+    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     vec2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
@@ -288,7 +289,7 @@ struct GaborImplNode {
 
 GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     vec4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborImplNode((axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z);
+    return GaborImplNode((axis.offset + 1.0 - float(i)) / GABOR_CELLS_PER_RADIUS, node.x, node.z);
 }
 
 uint gabor_impl_node_word(GaborImplAxis axis, int i) {
@@ -298,35 +299,36 @@ uint gabor_impl_node_word(GaborImplAxis axis, int i) {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
 // `scale`: the frequency along each axis.
 void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, vec3 scale,
-                                  float moment, GaborImplTangents tangents, uint column, uvec4 row) {
+                                  float evolution, GaborImplTangents tangents, uint column, uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     vec4 window = vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     vec4 unit = vec4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, evolution, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, evolution, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, evolution, column * row.z);
 }
 
-// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+// The sum over 27 nodes. Lengths are in units of GABOR_CELLS_PER_RADIUS node spacings.
 GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                        GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                      GABOR_RADIUS);
-    vec3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
+                                      GABOR_CELLS_PER_RADIUS);
+    vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
         GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
                                      row);
     }
     GaborField3d field = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
@@ -351,7 +353,7 @@ GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, floa
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
         float power = gabor_impl_takeover(i == 0 ? smoothstep(0.25, 0.5, aside) : 1.0 - smoothstep(0.25, 0.5, aside));
         gabor_impl_add_field_3d(sum, gabor_impl_isotropic(place, frequency, gabor_impl_tangents(normal, i),
-                                                          gabor_lobe_seed(seed, i)), sqrt(power), vec3(1.0));
+                                                          gabor_derived_seed(seed, i)), sqrt(power), vec3(1.0));
     }
     return sum;
 }

@@ -37,8 +37,8 @@ precision highp int;
 #define GABOR_IMPULSES 1
 #endif
 // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
-#ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0
+#ifndef GABOR_CELLS_PER_RADIUS
+#define GABOR_CELLS_PER_RADIUS 1.0
 #endif
 // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability.
 #ifndef GABOR_WEIGHT_FLOOR
@@ -68,43 +68,44 @@ precision highp int;
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
+//     value. Cost: (ceil(2 GABOR_CELLS_PER_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 or more.
+// vec2 gabor_noise_quadrature(vec2 p, float frequency, float orientation, uint seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
-// vec2 gabor_phasor(vec2 value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// vec2 gabor_turns_intensity(vec2 noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+// float gabor_noise_animated(vec2 p, float evolution, float frequency, float orientation, uint seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- For large worlds, and for periods that evolve -----------------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -113,20 +114,22 @@ struct GaborKernel {
     float variance_factor; // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 };
 
-// A position in cells, with a period and a time.
+// A position in cells, with a period and an evolution.
 struct GaborPlace {
     ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
     vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
-    vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    vec2 cells_per_radius; // along each axis: GABOR_CELLS_PER_RADIUS, or as little as half of it to fit a period
     ivec2 period; // period in cells, 0 for none
-    float moment; // time in periods: only its fraction counts
+    float evolution; // as in gabor_noise_animated, in turns: only its fraction counts
 };
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
-    vec2 value;
-    vec2 slope_x;
-    vec2 slope_y;
+    float noise;
+    vec2 gradient;
+    float quadrature;
+    vec2 quadrature_gradient;
 };
 
 // GaborKernel gabor_kernel(float frequency, float orientation)
@@ -134,8 +137,8 @@ struct GaborField {
 //     calls.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
@@ -161,7 +164,7 @@ float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, 
     return float(n + phases) + r + a + window.x;
 }
 float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_CELLS_PER_RADIUS, GABOR_WEIGHT_FLOOR,
                                                             GABOR_PHASES, GABOR_WINDOW);
 }
 
@@ -199,7 +202,7 @@ uint gabor_impl_impulse_word(int column, uint row_word, int index) {
 struct GaborImplImpulse {
     vec2 position_plus_one;
     float phase;      // phase in turns
-    float phase_rate; // turns per unit of time: -4 to -1 or 1 to 4
+    float phase_rate; // turns per turn of the evolution: -4 to -1 or 1 to 4
     float magnitude;  // magnitude of the weight
 };
 
@@ -312,13 +315,13 @@ int gabor_impl_wrap(int cell, int period) {
     return cell;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-float gabor_impl_phase_gain(GaborKernel kernel, float moment) {
-    if (GABOR_PHASES != 2 || moment == 0.0)
+// The gain that keeps the variance of sine kernels at 1 while their phases turn. An evolution t multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k t) = 1 - 2 sin^2(2 pi k t) over the phase rates k.
+float gabor_impl_phase_gain(GaborKernel kernel, float evolution) {
+    if (GABOR_PHASES != 2 || evolution == 0.0)
         return 1.0;
-    vec4 sines = vec4(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
-                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
+    vec4 sines = vec4(gabor_impl_sine(evolution), gabor_impl_sine(2.0 * evolution),
+                      gabor_impl_sine(3.0 * evolution), gabor_impl_sine(4.0 * evolution));
     float u = 0.5 * dot(sines, sines);
     return inversesqrt(1.0 + u * (1.0 - kernel.variance_factor) / kernel.variance_factor);
 }
@@ -326,7 +329,7 @@ float gabor_impl_phase_gain(GaborKernel kernel, float moment) {
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GaborPlace gabor_place(ivec2 cell, vec2 local) {
-    return GaborPlace(cell, local, vec2(GABOR_RADIUS), ivec2(0), 0.0);
+    return GaborPlace(cell, local, vec2(GABOR_CELLS_PER_RADIUS), ivec2(0), 0.0);
 }
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
@@ -335,7 +338,7 @@ GaborPlace gabor_place(ivec2 cell, vec2 local) {
 GaborKernel gabor_kernel(float frequency, float orientation) {
     vec2 wave = min(abs(frequency) > 1.0e-6 ? abs(frequency) : 1.0e-6, 1.0e6) * gabor_impl_direction(orientation);
     GaborImplEnergy energy = gabor_impl_energy();
-    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float density = float(GABOR_IMPULSES) * GABOR_CELLS_PER_RADIUS * GABOR_CELLS_PER_RADIUS;
     float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
     float amplitude = inversesqrt(0.5 * density * power * energy.sum * energy.sum);
     if (GABOR_PHASES != 2)
@@ -347,16 +350,16 @@ GaborKernel gabor_kernel(float frequency, float orientation) {
 }
 
 GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
-    int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
+    int visited = int(ceil(2.0 * GABOR_CELLS_PER_RADIUS)) + 1;
     vec2 whole = floor(place.local);
     vec2 local = clamp(place.local - whole, 0.0, 1.0); // the clamp matters only if a compiler fuses this with a product
-    vec2 first = floor(local - place.radius);
+    vec2 first = floor(local - place.cells_per_radius);
     ivec2 cell = place.cell + ivec2(whole + first);
     first -= 1.0; // undoes the 1 of position_plus_one
-    vec2 cell_side = 1.0 / place.radius;
-    float moment = fract(place.moment);
+    vec2 cell_side = 1.0 / place.cells_per_radius;
+    float evolution = fract(place.evolution);
     uint seed_word = gabor_impl_seed_word(seed);
-    GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    vec2 sum = vec2(0.0), slope_x = vec2(0.0), slope_y = vec2(0.0); // each (quadrature, noise)
     for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         for (int i = 0; i < visited; ++i) {
@@ -369,61 +372,66 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    float turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * moment;
+                    float turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * evolution;
                     vec2 x = gabor_impl_window(d.x);
                     vec2 y = gabor_impl_window(d.y);
                     vec2 wave = impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     vec2 turned = (6.2831853 * x.x * y.x) * vec2(-wave.y, wave.x);
-                    sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
+                    sum += (x.x * y.x) * wave;
+                    slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
+                    slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel, moment);
-    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
+    float scale = kernel.amplitude * GABOR_CELLS_PER_RADIUS
+        * inversesqrt(place.cells_per_radius.x * place.cells_per_radius.y)
+                * gabor_impl_phase_gain(kernel, evolution);
+    return GaborField(scale * sum.y, scale * vec2(slope_x.y, slope_y.y), scale * sum.x,
+                      scale * vec2(slope_x.x, slope_y.x));
 }
 
 float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed) {
-    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+    return gabor_field(gabor_place(cell, local), kernel, seed).noise;
 }
 
 float gabor_noise(vec2 p, float frequency, float orientation, uint seed) {
-    return gabor_noise_at(ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_noise_at(ivec2(0), p * GABOR_CELLS_PER_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed) {
-    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return vec3(field.noise, field.gradient);
 }
 
-vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed) {
-    return gabor_field(gabor_place(ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+vec2 gabor_noise_quadrature(vec2 p, float frequency, float orientation, uint seed) {
+    GaborField field = gabor_field(gabor_place(ivec2(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return vec2(field.noise, field.quadrature);
 }
 
-vec2 gabor_phasor(vec2 value) {
-    float intensity = length(value);
-    float phase = intensity > 0.0 ? atan(value.y, value.x) * 0.15915494 : 0.0; // 1/(2 pi)
+vec2 gabor_turns_intensity(vec2 noise_quadrature) {
+    float intensity = length(noise_quadrature.yx);
+    float phase = intensity > 0.0 ? atan(noise_quadrature.x, noise_quadrature.y) * 0.15915494 : 0.0; // 1/(2 pi)
     return vec2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity); // 1 - 2^-24
 }
 
 float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed) {
     period = max(period, vec2(2.0));
-    vec2 cells = floor(period * GABOR_RADIUS);
-    vec2 radius = cells / period;
+    vec2 cells = floor(period * GABOR_CELLS_PER_RADIUS);
+    vec2 density = cells / period;
     vec2 within = p - floor(p / period) * period;
-    GaborPlace place = GaborPlace(ivec2(0), within * radius, radius, ivec2(cells), 0.0);
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+    GaborPlace place = GaborPlace(ivec2(0), within * density, density, ivec2(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
-float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
-    place.moment = moment;
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+float gabor_noise_animated(vec2 p, float evolution, float frequency, float orientation, uint seed) {
+    GaborPlace place = gabor_place(ivec2(0), p * GABOR_CELLS_PER_RADIUS);
+    place.evolution = evolution;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
 float gabor_unorm(float noise) {

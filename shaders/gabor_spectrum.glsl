@@ -9,7 +9,7 @@
 //     a range of directions or frequencies     gabor_noise_spread
 //     a spectrum of my own                     gabor_field_lobes
 //     rectangular, round or sharp stripes      gabor_profile_pulse and so on, after gabor_stripes
-//     derivatives, periods, a time             a place, then gabor_field_isotropic, _spread or _lobes
+//     derivatives, periods, an evolution       a place, then gabor_field_isotropic, _spread or _lobes
 //     noise averaged over a pixel              gabor_filter.glsl
 //
 // Arguments and fields are those of gabor_noise.glsl.
@@ -61,11 +61,11 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    vec2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    vec2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
@@ -74,7 +74,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -108,19 +108,19 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
-// to a float, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a float, within the period if there is one.
 GaborPlace gabor_impl_stretched(GaborPlace place, vec2 radius) {
     ivec2 cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
-    vec2 unit = 1.0 / (place.radius * radius);
+    vec2 unit = 1.0 / (place.cells_per_radius * radius);
     GaborPlace stretched = gabor_place_tiled((vec2(cell) + place.local) * unit, vec2(place.period) * unit);
-    stretched.moment = place.moment;
+    stretched.evolution = place.evolution;
     return stretched;
 }
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 vec2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    vec2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    vec2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return vec2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -137,14 +137,14 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborField field = gabor_field(gabor_impl_stretched(place, lobe.radius), gabor_impl_lobe_wave(lobe),
-                                       gabor_lobe_seed(seed, i));
+                                       gabor_derived_seed(seed, i));
         gabor_impl_add_field(sum, field, power > 0.0 ? sqrt(lobe.power / power) : 0.0, 1.0 / lobe.radius);
     }
     return sum;
 }
 
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe(frequency, orientation, vec2(radius), power);
+GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe(cycles_per_unit, orientation, vec2(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -189,7 +189,7 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
         for (int i = 0; i < direction_count; ++i) {
             vec3 direction = gabor_impl_piece(i, directions);
             vec2 wave = gabor_wave_vector(magnitude, orientation + orientation_spread * direction.x);
-            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
+            GaborField field = gabor_field(place, wave, gabor_derived_seed(seed, int(128.0 * shell.z + direction.z)));
             gabor_impl_add_field(sum, field, sqrt(shell.y * direction.y), vec2(1.0));
         }
     }
@@ -225,7 +225,7 @@ struct GaborImplStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
+GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float evolution) {
     GaborImplStar star;
     // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
@@ -233,9 +233,9 @@ GaborImplStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, vec2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, evolution), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, evolution), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, evolution), star.third);
     return star;
 }
 
@@ -252,17 +252,17 @@ void gabor_impl_add_wave(inout GaborField sum, vec3 window, vec2 a, vec2 wave) {
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
-    vec2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     for (int j = 0; j < GABOR_TAPS; ++j) {
         uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
-            vec2 d = frequency / place.radius * vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            vec2 d = frequency / place.cells_per_radius * vec2(x.offset - float(i - 1), y.offset - float(j - 1));
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.evolution);
             vec2 h = vec2(x.node[i].x, y.node[j].x);
             vec3 window = vec3(h.x * h.y, stretch * vec2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -295,7 +295,7 @@ vec3 gabor_impl_ends_at(float phase, float span) {
 }
 
 vec3 gabor_impl_ends(vec2 stripes) {
-    vec2 phasor = gabor_phasor(stripes);
+    vec2 phasor = gabor_turns_intensity(stripes.yx);
     return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 

@@ -51,7 +51,7 @@ def parameters(*trees):
             member = field.name.text
             about = (about or member).replace("unit of p", "kernel radius")
             about = f"{member} {about}" if about.startswith("of ") else about
-            option = f"{name.replace('_', '-')}.{member}" if made else {"frequency": "gully_frequency"}.get(member, member)
+            option = f"{name.replace('_', '-')}.{member}" if made else member
             yield option, kind, bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
 
 

@@ -13,7 +13,7 @@ COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MARK, END = "// ---- From gabor_noise.glsl ----\n", "// ---- End ----\n"
 
 # Functions that the library takes unchanged from the drop-in.
-FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
+FUNCTIONS = ["gabor_impl_mix", "gabor_derived_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
 # GLSL's functions that OSL and MDL have, too.
 PORTABLE = set("abs ceil clamp cos dot exp floor inversesqrt length log max min normalize pow sin sqrt".split())

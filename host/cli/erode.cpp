@@ -63,7 +63,7 @@ render::Request defaults_of(const std::string& preset) {
     render::Request request = render::preset(preset);
     request.seed = 0;
     // Twice the rms slope of a map: less would dam its valleys.
-    render::parameter("onset").place.put(request, 2 * render::preset_slope);
+    render::parameter("onset_slope").place.put(request, 2 * render::preset_slope);
     // Maps show more hills than the views that presets are made for.
     multiply(request, "gully_frequency", 1.5);
     // Sharp creases leave pits where they cross the valleys of a map.
@@ -325,6 +325,10 @@ void add_erode_command(CLI::App& app) {
     for (const render::Parameter& p : render::parameters())
         if (p.name == "seed" || p.group == render::Parameter::Group::erosion)
             add_parameter(*command, options->parameters, p, defaults);
+    CLI::Option* const frequency = command->get_option("--gully-frequency");
+    std::string help = frequency->get_description();
+    const std::string_view unit = "kernel radius";
+    frequency->description(help.replace(help.find(unit), unit.size(), "eighth of the map's width"));
     command->callback([options] { erode(*options); });
 }
 

@@ -66,7 +66,7 @@ void print_material(const std::string& text) {
     request.boards = true;
     for (const render::Parameter& p : render::parameters())
         if (p.group == group && p.scope.holds(request))
-            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
+            fmt::print("{:<32}{}: {} [{}]\n", render::option_name(p), p.help, render::accepted(p),
                        render::to_text(*p.get(request)));
 }
 

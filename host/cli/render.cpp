@@ -131,18 +131,18 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-// The output files of -o, --png and --heightmap.
+// The output files of -o, --png and --write-heightmap.
 render::Files files_of(const RenderOptions& options) {
     using Output = std::pair<const char*, const std::optional<std::string>&>;
     const std::array outputs{Output{"-o", options.output}, Output{"--png", options.png},
-                             Output{"--heightmap", options.heightmap}};
+                             Output{"--write-heightmap", options.heightmap}};
     for (const auto& [name, path] : outputs)
         for (const auto& [other_name, other] : outputs)
             if (&path != &other && path && other && same_file(*path, *other))
                 throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
                                                other_name, *path));
     if (options.elevation && !options.heightmap)
-        throw RequestError("--elevation requires --heightmap");
+        throw RequestError("--elevation requires --write-heightmap");
 
     render::Files files;
     if (options.output) {
@@ -197,7 +197,7 @@ void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.heightmap || options.elevation || options.region ||
         options.frames || options.level)
         throw RequestError(
-            "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
+            "--maps writes a whole set of maps: it cannot be combined with -o, --png, --write-heightmap, "
             "--elevation, --region, --frames or --level");
     const std::string bits = options.normal_bits.value_or("16");
     if (bits != "8" && bits != "16")
@@ -205,7 +205,7 @@ void render_map_set(const RenderOptions& options) {
     render::MapFormat format{options.directx, options.texture, options.half, bits == "8" ? 8 : 16};
     format.compression = options.compression;
     if (options.metres)
-        format.metres = parse_positive("--metres", *options.metres, "a width above 0");
+        format.metres = parse_positive("--width-metres", *options.metres, "a width above 0");
     Work work = make_work(options);
     const render::Values given = given_values(options.parameters);
     const auto gives = [&](std::string_view name) {
@@ -245,7 +245,7 @@ void render_pictures(const RenderOptions& options) {
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     for (const auto& [name, given] : {std::pair{"--directx", options.directx},
                                       {"--normal-bits", options.normal_bits.has_value()},
-                                      {"--metres", options.metres.has_value()}})
+                                      {"--width-metres", options.metres.has_value()}})
         if (given)
             throw RequestError(fmt::format("{} requires --maps", name));
     const Work work = make_work(options);
@@ -289,8 +289,8 @@ void add_render_command(CLI::App& app) {
     command->footer(R"(
 Examples:
   gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
-  gabor render --material wood --wood.rings 20 --metres 0.5 --maps wood
-  gabor render --view terrain --preset canyon --png canyon.png --heightmap canyon.r16
+  gabor render --material wood --wood.rings 20 --width-metres 0.5 --maps wood
+  gabor render --view terrain --preset canyon --png canyon.png --write-heightmap canyon.r16
 
 `gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
 terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in --no-tileable.
@@ -332,9 +332,10 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("View and light", render::Parameter::Group::view);
     parameters("View and light", render::Parameter::Group::light);
     parameters("Terrain", render::Parameter::Group::terrain);
-    option("--heightmap", options->heightmap, "FILE",
-           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it (for the "
-           "terrain view)");
+    option(
+        "--write-heightmap", options->heightmap, "FILE",
+        "Also write 16-bit heights to this PNG or .r16, with their scale in a .json file beside it (for the "
+        "terrain view)");
     add_elevation_option(*command, options->elevation, "the full possible range");
     parameters("Ocean", render::Parameter::Group::sea);
 
@@ -346,9 +347,8 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
                "material.mtlx, material.gltf and material.json. They tile, and are {0}x{0}, unless "
                "--no-tileable, --size or --like says otherwise",
                render::map_side));
-    option(
-        "--metres", options->metres, "NUMBER",
-        "With --maps: their width in metres, to scale the heights too; otherwise a terrain's extent, or 1");
+    option("--width-metres", options->metres, "NUMBER",
+           "With --maps: their width, to scale the heights too; otherwise a terrain's extent, or 1");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     option("--normal-bits", options->normal_bits, "BITS",
            "With --maps: 8 dithers normals to 8 bits, for programs that do not read all 16");

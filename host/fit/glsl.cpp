@@ -133,10 +133,10 @@ void {name}_lobe(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered
     GaborPlace place = gabor_place_at(p / k.xy);
     GaborField n;
 #ifdef GABOR_FILTER_GLSL
-    if (filtered) n = gabor_field_filtered(place, d.xy / k.xy, d.zw / k.xy, k.zw, gabor_lobe_seed({name}_seed, i));
+    if (filtered) n = gabor_field_filtered(place, d.xy / k.xy, d.zw / k.xy, k.zw, gabor_derived_seed({name}_seed, i));
     else
 #endif
-    n = gabor_field(place, k.zw, gabor_lobe_seed({name}_seed, i));
+    n = gabor_field(place, k.zw, gabor_derived_seed({name}_seed, i));
     z += {sum};
     removed += n.removed * {squares};
 }}

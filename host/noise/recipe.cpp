@@ -55,7 +55,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
         if (r.is_lattice())
             return {{"GABOR_TAPS", fmt::to_string(r.taps)}};
         return {{"GABOR_IMPULSES", fmt::to_string(r.impulses)},
-                {"GABOR_RADIUS", literal(r.radius)},
+                {"GABOR_CELLS_PER_RADIUS", literal(r.radius)},
                 {"GABOR_WEIGHT_FLOOR", literal(r.weight_floor)},
                 {"GABOR_PHASES", fmt::to_string(r.phases)},
                 {"GABOR_WINDOW", literal(r.window)}};

@@ -13,7 +13,7 @@ namespace gabor::noise {
 struct Recipe {
     std::string_view name;
     int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)
-    float radius;                ///< R, cells per kernel radius (GABOR_RADIUS)
+    float radius;                ///< R, cells per kernel radius (GABOR_CELLS_PER_RADIUS)
     float weight_floor;          ///< A; magnitudes are A or 1, equally likely (GABOR_WEIGHT_FLOOR)
     int phases;                  ///< number of phases; 2 gives a sine with random sign (GABOR_PHASES)
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)

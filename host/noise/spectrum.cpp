@@ -7,8 +7,8 @@ namespace gabor::noise {
 
 namespace {
 
-// The same as gabor_lobe_seed in shaders/gabor_noise.glsl.
-std::uint32_t lobe_seed(std::uint32_t seed, int index) {
+// The same as gabor_derived_seed in shaders/gabor_noise.glsl.
+std::uint32_t derived_seed(std::uint32_t seed, int index) {
     std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
     word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
     word = (word ^ word >> 15) * 0xd35a2d97u;
@@ -59,14 +59,15 @@ void add_lobe(std::vector<Wave>& waves, const Lobe& lobe, double share, std::uin
     for (const Piece& along : frequencies(lobe)) {
         const double frequency = lobe.frequency * (1 + lobe.frequency_spread * along.place);
         if (isotropic) {
-            const std::uint32_t own = lobe.frequency_spread == 0 ? seed : lobe_seed(seed, 128 * along.index);
+            const std::uint32_t own =
+                lobe.frequency_spread == 0 ? seed : derived_seed(seed, 128 * along.index);
             waves.push_back({frequency, 0, lobe.radii(), share * along.share, own, true});
             continue;
         }
         for (const Piece& around : orientations(lobe, frequency))
             waves.push_back({frequency, lobe.angle() + radians(lobe.orientation_spread) * around.place,
                              lobe.radii(), share * along.share * around.share,
-                             lobe_seed(seed, 128 * along.index + around.index)});
+                             derived_seed(seed, 128 * along.index + around.index)});
     }
 }
 
@@ -86,7 +87,7 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in
     for (std::size_t i = 0; i < lobes.size(); ++i)
         if (lobes[i].power > 0)
             add_lobe(all, in_space ? with_round_kernel(lobes[i]) : lobes[i], lobes[i].power / power,
-                     lobes.size() == 1 ? seed : lobe_seed(seed, static_cast<int>(i)), in_space);
+                     lobes.size() == 1 ? seed : derived_seed(seed, static_cast<int>(i)), in_space);
     return all;
 }
 

@@ -36,7 +36,7 @@ double normalization(const Request& request, const noise::Wave& wave) {
     const Axis x = axis_along(request, request.width, wave.radius[0]);
     const Axis y = axis_along(request, request.height, wave.radius[1]);
     const double variance = noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
-                                            request.time); // sparse kernels are round
+                                            request.evolution); // sparse kernels are round
     return recipe.radius / std::sqrt(x.radius * y.radius * variance);
 }
 
@@ -87,7 +87,7 @@ passes::BakePush push_for(const Request& request, const Viewport& viewport,
         {0, 0, viewport.region.width, viewport.region.height}); // runs count from the region's corner
     push.radius = vec2_of(x.radius, y.radius);
     push.period = {x.period, y.period};
-    push.time = wrapped_time(request);
+    push.time = wrapped_evolution(request);
     push.stretch = vec2_of(1 / radius[0], 1 / radius[1]);
     push.pixel = vec2_of(1 / (scale * radius[0]), 1 / (scale * radius[1]));
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {

@@ -42,9 +42,11 @@ float srgb(float light) {
 }
 
 Request frame_of(Request request, int frame, int frames) {
-    const auto* sea = std::get_if<Sea>(&request.view);
     const double share = static_cast<double>(frame) / frames;
-    request.time += !sea ? share : sea->loop > 0 ? sea->loop * share : frame / 25.0;
+    if (auto* sea = std::get_if<Sea>(&request.view))
+        sea->seconds += sea->loop_seconds > 0 ? sea->loop_seconds * share : frame / 25.0;
+    else
+        request.evolution += share;
     return request;
 }
 
@@ -89,7 +91,7 @@ void render_file(const vulkan::Device& device, const Request& request, const ima
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
         if (!has_terrain(request) || !is_flat(request.view))
-            throw RequestError("--heightmap needs --view terrain");
+            throw RequestError("--write-heightmap needs --view terrain");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(request));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),

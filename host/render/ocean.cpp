@@ -25,7 +25,7 @@ struct alignas(16) OceanBand {
 struct Ocean {
     float wind, direction, fetch;
     alignas(16) float swell[3];
-    int loop;
+    int loop_seconds;
     passes::vec2 tail;
     OceanBand band[GABOR_OCEAN_BANDS + 1];
 };
@@ -36,11 +36,15 @@ static_assert(sizeof(Ocean) == 48 + (GABOR_OCEAN_BANDS + 1) * 96);
 std::vector<std::byte> ocean_table(const Sea& sea) {
     const auto single = [](double value) { return static_cast<float>(value); };
     const GaborOcean made = gabor_ocean_of(
-        single(sea.wind), 0, single(1000 * sea.fetch),
-        {single(sea.swell), single(sea.swell_period), single(noise::radians(sea.swell_direction))}, sea.loop);
-    Ocean table{made.wind,  made.direction,
-                made.fetch, {made.swell.x, made.swell.y, made.swell.z},
-                made.loop,  {made.tail.x, made.tail.y},
+        single(sea.wind), 0, single(sea.fetch),
+        {single(sea.swell_height), single(sea.swell_period), single(noise::radians(sea.swell_direction))},
+        sea.loop_seconds);
+    Ocean table{made.wind,
+                made.direction,
+                made.fetch,
+                {made.swell.x, made.swell.y, made.swell.z},
+                made.loop_seconds,
+                {made.tail.x, made.tail.y},
                 {}};
     for (std::size_t i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
         const GaborOceanBand& b = made.band[i];

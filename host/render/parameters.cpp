@@ -97,7 +97,6 @@ constexpr Constant planar{"noise with --view flat or horizon",
 constexpr Constant filtered{"noise or a material",
                             [](const Request& r) { return !has_terrain(r) && !has_sea(r); }};
 constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !has_sea(r); }};
-constexpr Constant timed{"noise or --view ocean", [](const Request& r) { return is_noise(r) || has_sea(r); }};
 constexpr Constant tiles{"--view flat or terrain", [](const Request& r) {
                              return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
                          }};
@@ -277,8 +276,8 @@ std::vector<Parameter> noise_rows() {
             "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
         row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
-        row("time", Kind::number, "periods, or seconds at sea", {-1e9, 1e9}, {0, 1}, scopes::timed,
-            "Time in an animation with period 1, or at sea", in_request(&Request::time)),
+        row("evolution", Kind::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::noise,
+            "Evolution of the noise in place, which repeats after 1", in_request(&Request::evolution)),
         row("paint", Kind::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
@@ -306,7 +305,7 @@ std::vector<Parameter> view_rows() {
             "ocean: a sea in perspective.\n"
             "The last three have channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, lit.B, and ridge "
             "and "
-            "erosion or, for the ocean, fold and foam",
+            "erosion or, for the ocean, jacobian and foam",
             by_name([](const Request& r) { return name_of(r.view); },
                     [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
             names_of(named_views)),
@@ -324,8 +323,8 @@ std::vector<Parameter> view_rows() {
             in_views(&Body::pitch, &Terrain::pitch, &Sea::pitch)),
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
             "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom, &Sea::zoom)),
-        row("focal_length", Kind::number, "longer sides of the picture", {0.1, 10}, {0.3, 3}, scopes::cameras,
-            "Focal length of the camera: shorter is wider",
+        row("focal_length", Kind::number, "millimetres", {3.6, 360}, {10, 100}, scopes::cameras,
+            "Focal length of the camera, whose sensor's longer side has 36 mm: shorter is wider",
             in_views(&Terrain::focal_length, &Sea::focal_length)),
         row("filter", Kind::flag, "", none, none, scopes::filtered,
             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
@@ -358,7 +357,7 @@ std::vector<Parameter> terrain_rows() {
             by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
 }
 
-// Sea::loop is 0 or a power of 2 from 8.
+// Sea::loop_seconds is 0 or a power of 2 from 8.
 constexpr std::array<std::string_view, 11> loops{"never", "8",   "16",   "32",   "64",  "128",
                                                  "256",   "512", "1024", "2048", "4096"};
 
@@ -367,34 +366,35 @@ Place seconds_of_loop() {
                 const auto* sea = std::get_if<Sea>(&request.view);
                 if (!sea)
                     return std::nullopt;
-                return std::string(sea->loop == 0
+                return std::string(sea->loop_seconds == 0
                                        ? loops[0]
                                        : loops[static_cast<std::size_t>(
-                                             std::countr_zero(static_cast<unsigned>(sea->loop)) - 2)]);
+                                             std::countr_zero(static_cast<unsigned>(sea->loop_seconds)) - 2)]);
             },
             [](Request& request, const Value& value) {
                 const auto index = std::ranges::find(loops, std::get<std::string>(value)) - loops.begin();
-                std::get<Sea>(request.view).loop = index == 0 ? 0 : 4 << index;
+                std::get<Sea>(request.view).loop_seconds = index == 0 ? 0 : 4 << index;
             }};
 }
 
 std::vector<Parameter> sea_rows() {
     return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind speed at a height of 10 m", in_view(&Sea::wind)),
-            row("fetch", Kind::number, "kilometres", {1, 1000}, {1, 1000}, scopes::sea,
-                "Open water upwind: a few kilometres for a lake, 200 or more for a grown sea",
+                "Wind speed 10 m above the sea; the wind blows along +x", in_view(&Sea::wind)),
+            row("fetch", Kind::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
+                "Open water upwind: a few kilometres for a lake, 200 km or more for a grown sea",
                 in_view(&Sea::fetch)),
-            row("swell", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
+            row("swell_height", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
                 "Significant height of a swell from a far storm, from trough to crest; 0 for none",
-                in_view(&Sea::swell)),
+                in_view(&Sea::swell_height)),
             row("swell_period", Kind::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
                 "Time from crest to crest of the swell", in_view(&Sea::swell_period)),
             row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
-                "Where the swell goes, from the direction of the wind", in_view(&Sea::swell_direction)),
-            row("loop", Kind::choice, "seconds", none, none, scopes::sea,
-                "Seconds after which the sea repeats exactly, for films: several periods of the swell. "
+                "Where the swell goes: 0 with the wind, along +x, 90 along +y", in_view(&Sea::swell_direction)),
+            row("loop_seconds", Kind::choice, "seconds", none, none, scopes::sea,
+                "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
+            row("seconds", Kind::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time", in_view(&Sea::seconds)),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
 }

@@ -50,7 +50,7 @@ Constants constants_of(const Request& request, std::span<const std::string> chan
              {passes::coverage_id, "A"},
              {passes::removed_id, "removed"}})
         constants[id] = vulkan::constant(channel_index(channels, name));
-    constants[passes::animated_id] = wrapped_time(request) != 0;
+    constants[passes::animated_id] = wrapped_evolution(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
     constants[passes::tiled_id] = is_tiled(request);
     return constants;
@@ -182,7 +182,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
     auto push = push_of<passes::PixelsPush>({0, 0, plan.width, plan.height}); // tables cover the region
-    push.time = wrapped_time(request);
+    push.time = wrapped_evolution(request);
     push.pixel =
         static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(viewport.camera.zoom);
     if (!in_perspective(request))
@@ -252,7 +252,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     }
     auto push = push_of<passes::SolidPush>(viewport.region);
     push.center = half(viewport);
-    push.time = wrapped_time(request);
+    push.time = wrapped_evolution(request);
     push.waves = static_cast<int>(waves.size());
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
         // Rounds to whole values, so that the same points are sampled wherever the view is.
@@ -342,9 +342,10 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
         push.center.y *= 1.3f; // leaves room for the sky
         push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
         push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
-        push.distance = static_cast<float>(terrain.focal_length * std::max(request.width, request.height) /
-                                           request.scale / terrain.zoom);
-        push.pixel = static_cast<float>(viewport.stride / (terrain.focal_length * side));
+        push.distance =
+            static_cast<float>(focal_ratio(terrain.focal_length) * std::max(request.width, request.height) /
+                               request.scale / terrain.zoom);
+        push.pixel = static_cast<float>(viewport.stride / (focal_ratio(terrain.focal_length) * side));
     }
     Constants constants{};
     constants[passes::view_id] = view_constant(request.view);
@@ -356,16 +357,16 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
 
 void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
     const Sea& sea = std::get<Sea>(request.view);
-    const double second = std::floor(request.time), side = std::max(viewport.width, viewport.height);
+    const double second = std::floor(sea.seconds), side = std::max(viewport.width, viewport.height);
     auto push = push_of<passes::OceanPush>(viewport.region);
     push.center = half(viewport);
     push.yaw = direction(noise::radians(std::remainder(sea.yaw, 360.0)));
     push.pitch = direction(noise::radians(sea.pitch));
     push.sun = vec2_of(light_direction(request));
     push.altitude = static_cast<float>(sea.altitude);
-    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * sea.focal_length * side));
+    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * focal_ratio(sea.focal_length) * side));
     push.second = static_cast<int>(second);
-    push.fraction = static_cast<float>(request.time - second);
+    push.fraction = static_cast<float>(sea.seconds - second);
     push.seed = request.seed;
     plan.tables = {ocean_table(sea)};
     plan.steps = {step_of("ocean", Constants{}, push, passes::ocean_group)};
@@ -394,8 +395,8 @@ int channel_index(std::span<const std::string> channels, std::string_view name) 
     return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
 }
 
-float wrapped_time(const Request& request) {
-    return static_cast<float>(request.time - std::floor(request.time));
+float wrapped_evolution(const Request& request) {
+    return static_cast<float>(request.evolution - std::floor(request.evolution));
 }
 
 double highest_frequency(const Request& request, const Paint& paint) {

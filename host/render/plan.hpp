@@ -30,8 +30,8 @@ std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe);
 /// The index of a channel, or -1 if there is none of this name.
 int channel_index(std::span<const std::string> channels, std::string_view name);
 
-/// The request's time as a fraction of the period, in [0, 1).
-float wrapped_time(const Request& request);
+/// The fraction of the request's evolution, in [0, 1).
+float wrapped_evolution(const Request& request);
 
 /// Columns and rows of invocations.
 struct Block {

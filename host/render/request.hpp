@@ -54,23 +54,24 @@ struct Terrain {
     double yaw = 215;      ///< camera azimuth in degrees; only in perspective
     double pitch = 20;     ///< camera elevation, in degrees
     double zoom = 1;       ///< 1 shows about as much as the view from above
-    double focal_length = 0.8; ///< of the camera, relative to the longer side of the picture
+    double focal_length = 28.8; ///< of the camera, in mm: see `focal_ratio`
     bool operator==(const Terrain&) const = default;
 };
 
-/// A sea in perspective under a clear sky. Its waves travel along +x.
+/// A sea in perspective under a clear sky. The wind blows along +x.
 struct Sea {
     double wind = 10;            ///< metres per second
-    double fetch = 200;          ///< kilometres of open water upwind
-    double swell = 0;            ///< its significant height in metres, 0 for none
+    double fetch = 200000;       ///< metres of open water upwind
+    double swell_height = 0;     ///< significant height in metres, 0 for none
     double swell_period = 12;    ///< seconds
-    double swell_direction = 60; ///< where it goes: degrees from the wind's direction
-    int loop = 0;                ///< seconds after which all repeats, a power of 2, or 0
+    double swell_direction = 60; ///< where it goes: degrees from +x towards +y
+    int loop_seconds = 0;        ///< after which all repeats, a power of 2, or 0
+    double seconds = 0;          ///< time
     double altitude = 8;         ///< of the camera, in metres
     double yaw = 250;            ///< camera azimuth in degrees
     double pitch = 6;            ///< angle by which the camera looks down, in degrees
     double zoom = 1;             ///< factor of the focal length
-    double focal_length = 0.8;   ///< of the camera, relative to the longer side of the picture
+    double focal_length = 28.8;  ///< of the camera, in mm: see `focal_ratio`
     bool operator==(const Sea&) const = default;
 };
 
@@ -96,7 +97,7 @@ struct Request {
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
-    double time = 0; ///< time in periods of the animation, or in seconds at sea
+    double evolution = 0; ///< of the noise in place, which repeats after 1; see Sea::seconds
     View view = Plane();
     std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
@@ -166,6 +167,11 @@ Request from_above(Request request);
 
 /// The shortest side of a tile, in kernel radii; 0 for a material, which fits any tile.
 double least_tile(const Request& request);
+
+/// A focal length relative to the longer side of the picture, for a sensor whose longer side has 36 mm.
+constexpr double focal_ratio(double millimetres) {
+    return millimetres / 36;
+}
 
 /// The number of a terrain's height units per kernel radius.
 double terrain_unit(const Request& request);

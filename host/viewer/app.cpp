@@ -119,7 +119,7 @@ void App::save_session() {
         return;
     Document document = session_.document();
     if (session_.playing)
-        document.request.time = 0; // playing alone must not cause a save
+        time_of(document.request) = 0; // playing alone must not cause a save
     const bool unsaved = session_.closing != Closing::now && is_changed(session_);
     Settings settings{
         window_.placement(), session_.panels || small_,   session_.ui_scale, to_json(document),
@@ -312,10 +312,10 @@ bool App::frame(const FrameHook& hook) {
     const ImGuiIO& io = ImGui::GetIO();
     render::Request& request = session_.document().request;
     if (session_.playing && render::has_sea(request)) {
-        request.time += double{io.DeltaTime};
+        time_of(request) += double{io.DeltaTime};
     } else if (session_.playing && !render::has_material(request)) {
-        request.time += double{io.DeltaTime} / double{session_.period};
-        request.time -= std::floor(request.time);
+        request.evolution += double{io.DeltaTime} / double{session_.period};
+        request.evolution -= std::floor(request.evolution);
     }
     handle_input(session_, view_width(), io.DisplaySize.y);
     panels();

@@ -39,10 +39,11 @@ void reset_orbit(render::View& view) {
     if (auto* sea = std::get_if<render::Sea>(&view))
         *sea = {.wind = sea->wind,
                 .fetch = sea->fetch,
-                .swell = sea->swell,
+                .swell_height = sea->swell_height,
                 .swell_period = sea->swell_period,
                 .swell_direction = sea->swell_direction,
-                .loop = sea->loop};
+                .loop_seconds = sea->loop_seconds,
+                .seconds = sea->seconds};
 }
 
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
@@ -103,9 +104,14 @@ Document document_of(const render::Request& request) {
     return document;
 }
 
+double& time_of(render::Request& request) {
+    auto* sea = std::get_if<render::Sea>(&request.view);
+    return sea ? sea->seconds : request.evolution;
+}
+
 Document content_of(Document document) {
     document.camera = {};
-    document.request.time = 0;
+    time_of(document.request) = 0;
     document.path.clear();
     document.origin.clear();
     return document;
@@ -156,6 +162,8 @@ bool has_effect(const Document& document, std::string_view control) {
     const auto* plane = std::get_if<render::Plane>(&request.view);
     if (control == "tiles")
         return plane && plane->tileable;
+    if (control == "animation")
+        return render::has_sea(request) || !render::has_material(request);
     if (control == "profile" || control == "colours" || control == "contrast") {
         if (render::has_material(request))
             return control == "contrast" && document.look == Look::height;

@@ -54,6 +54,9 @@ struct Document {
 /// A document with the request's picture in the middle of the view.
 Document document_of(const render::Request& request);
 
+/// What changes while a request plays: the evolution of noise, or the seconds of a sea.
+double& time_of(render::Request& request);
+
 /// The document without its camera, time and file. Changes to these add no undo step and need no saving.
 Document content_of(Document document);
 

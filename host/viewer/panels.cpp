@@ -250,12 +250,12 @@ void ocean_panel(Session& session) {
 void animation_panel(Session& session) {
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
-    tooltip("Space: play time in a loop from 0 to 1");
+    tooltip("Space: play the evolution in a loop from 0 to 1, or a sea on and on");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX());
-    control(session, "time");
+    controls(session, {"evolution", "seconds"});
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
-    tooltip("Seconds that time takes to go from 0 to 1");
+    tooltip("Seconds that the evolution takes to go from 0 to 1");
 }
 
 void view_panel(Session& session) {
@@ -455,7 +455,7 @@ void side_panel(Session& session) {
         Section{"Spectrum", waves_panel, true, noise},
         Section{"View", view_panel, true},
         Section{"Light", light_panel, true, is_lit(session.document())},
-        Section{"Animation", animation_panel, false, has_effect(session.document(), "time")},
+        Section{"Animation", animation_panel, false, has_effect(session.document(), "animation")},
         Section{"Export", export_panel, false},
         Section{"File", file_panel, false},
         Section{"Laboratory",

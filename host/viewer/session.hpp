@@ -69,7 +69,7 @@ struct Session {
     std::optional<Tiling> tiling;
     bool playing = false;
     static constexpr float default_period = 8;
-    float period = default_period; ///< seconds that time takes to go from 0 to 1
+    float period = default_period; ///< seconds that the evolution takes to go from 0 to 1
     bool panels = true;
     bool full_screen = false;
     bool help = false;

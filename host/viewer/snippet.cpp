@@ -126,7 +126,7 @@ std::array<std::string, 2> term_of(const View& view, const passes::SolidWave& wa
 // Sums the noises of a table of the plan.
 template <typename Wave>
 std::string terms(const View& view, std::size_t table) {
-    const double time = render::wrapped_time(view.request);
+    const double evolution = render::wrapped_evolution(view.request);
     const std::string_view filter = !view.request.filter ? "(place"
                                     : view.in_space()    ? "_filtered(place, dFdx(p) / {0}, dFdy(p) / {0}"
                                                          : "_filtered(place, here.dx / {0}, here.dy / {0}";
@@ -134,8 +134,8 @@ std::string terms(const View& view, std::size_t table) {
     for (const Wave& wave : view.table<Wave>(table)) {
         const auto [at, field] = term_of(view, wave);
         if (std::exchange(place, at) != at)
-            text +=
-                glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
+            text += glsl("    place = {};\n{}", place,
+                         evolution == 0 ? "" : glsl("    place.evolution = {};\n", evolution));
         const std::string noise =
             glsl("noise_of({}, {}u), {})", glsl(field, glsl(filter, wave.radius)), wave.seed, wave.radius);
         text += view.request.colour
@@ -307,8 +307,8 @@ std::string sea_snippet(const View& view) {
            glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
                 "sea_of(gabor_ocean_of({}, 0.0, {}, vec3({}, {}, {}), {}), {}u, {}, {}, {});\n"
                 "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",
-                head(view, "vec3 colour"), sea.wind, 1000 * sea.fetch, sea.swell, sea.swell_period,
-                noise::radians(sea.swell_direction), sea.loop, push.seed, push.second, push.fraction,
+                head(view, "vec3 colour"), sea.wind, sea.fetch, sea.swell_height, sea.swell_period,
+                noise::radians(sea.swell_direction), sea.loop_seconds, push.seed, push.second, push.fraction,
                 push.sun, push.altitude, push.yaw, push.pitch, push.center, push.pixel);
 }
 

@@ -140,7 +140,7 @@ void set_brackets(Run across, Run down, BakeWave wave) {
     vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
         gabor_impl_windows(across.local + float(k) * pixel.x * radius.x - 1.0, windows[k], slopes[k]);
-        slopes[k] *= radius.x / GABOR_RADIUS;
+        slopes[k] *= radius.x / GABOR_CELLS_PER_RADIUS;
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], wave.column_turn);
     }
     uint salt = gabor_impl_salt(wave.seed);
@@ -168,7 +168,7 @@ void sum_row(float row, Run down) {
     gabor_impl_windows(down.local + row * pixel.y * radius.y - 1.0, windows, slopes);
     clear_row();
     [[unroll]] for (int c = 0; c < terms; ++c)
-        add_term(c, vec2(windows[c], slopes[c] * (radius.y / GABOR_RADIUS)));
+        add_term(c, vec2(windows[c], slopes[c] * (radius.y / GABOR_CELLS_PER_RADIUS)));
 }
 
 #else

@@ -34,7 +34,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     ivec2 period; // like GaborPlace.period
     vec2 pixel;   // kernel radii per pixel
     vec2 stretch; // kernel radii per unit of length in the derivatives
-    float time;   // like GaborPlace.moment, within [0, 1)
+    float time;   // like GaborPlace.evolution, within [0, 1)
     uint first_wave;
     uint wave_count;
     uint first_column_run;

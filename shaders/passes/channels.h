@@ -26,13 +26,13 @@
     CHANNEL(9, terrain_ridge, ("ridge"))                                                                     \
     CHANNEL(10, terrain_erosion, ("erosion"))
 
-// Height and the colours have the same indices as for a material. `fold` is that of GaborWater.
+// Height and the colours have the same indices as for a material. `jacobian` is that of GaborWater.
 #define GABOR_OCEAN_CHANNELS(CHANNEL)                                                                        \
     CHANNEL(0, ocean_colour, ("R", "G", "B"))                                                                \
     CHANNEL(3, ocean_height, ("height"))                                                                     \
     CHANNEL(4, ocean_slope, ("slope.x", "slope.y"))                                                          \
     CHANNEL(6, ocean_lit, ("lit.R", "lit.G", "lit.B"))                                                       \
-    CHANNEL(9, ocean_fold, ("fold"))                                                                         \
+    CHANNEL(9, ocean_jacobian, ("jacobian"))                                                                 \
     CHANNEL(10, ocean_foam, ("foam"))
 
 // An eroded map. `erosion` is the height that erosion added; the shares of the ground that follow it are

@@ -89,7 +89,7 @@ void main() {
     if (channels == erosion_cover) return;
     terrain.height = (before_erosion + added - middle) / relief;
     terrain.slope = slope;
-    vec4 cover = gabor_ground(terrain);
+    vec4 cover = gabor_ground_cover(terrain);
     for (int i = 0; i < 4; ++i)
         eroded[at + erosion_cover + i] = has_height ? cover[i] : 0.0;
 }

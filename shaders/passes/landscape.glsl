@@ -41,7 +41,7 @@ float pale_layers(float height, float span) {
 vec3 ground_colour(Ground ground, GaborTerrain here, vec3 normal, float pixel) {
     float steep = length(normal.xz) / normal.y;
     if (ground.cover == 0) {
-        vec4 share = gabor_ground(here);
+        vec4 share = gabor_ground_cover(here);
         return share.x * vec3(0.1, 0.155, 0.05) + share.y * vec3(0.3, 0.245, 0.145) + share.z * vec3(0.26, 0.23, 0.205)
              + share.w * vec3(0.68, 0.7, 0.73);
     }

@@ -31,6 +31,6 @@ void main() {
     picture[at + ocean_height] = hit.water.height;
     picture[at + ocean_slope] = hit.water.slope.x;
     picture[at + ocean_slope + 1] = hit.water.slope.y;
-    picture[at + ocean_fold] = hit.water.fold;
+    picture[at + ocean_jacobian] = hit.water.jacobian;
     picture[at + ocean_foam] = hit.foam;
 }

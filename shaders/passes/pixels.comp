@@ -68,7 +68,7 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
 #endif
     GaborField field;
 #if GABOR_TAPS == 3
-    vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
+    vec2 nodes = wave.nodes / (GABOR_CELLS_PER_RADIUS * wave.radius);
     GaborImplFootprint footprint = gabor_impl_footprint(nodes * here.dx, nodes * here.dy);
     bool narrow = few_waves > 0 && (narrow_waves >> index & 1u) == 1u;
     bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;

@@ -31,7 +31,7 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     ivec2 paint_size;   // size of the paint, in samples
     vec2 paint_scale;   // paint samples per pixel
     vec2 paint_corner;  // corner of the region, in samples
-    float time;         // like GaborPlace.moment
+    float time;         // like GaborPlace.evolution
     float pixel;        // kernel radii per pixel; in perspective, the camera's height in kernel radii
     float focal_length; // focal length in pixels, in perspective
     int waves;

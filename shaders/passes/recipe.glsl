@@ -19,7 +19,7 @@ layout(constant_id = window_id + 2) const float recipe_window_z = 0.0;
 
 #define GABOR_UNCHECKED 1
 #define GABOR_IMPULSES recipe_impulses
-#define GABOR_RADIUS recipe_radius
+#define GABOR_CELLS_PER_RADIUS recipe_radius
 #define GABOR_WEIGHT_FLOOR recipe_weight_floor
 #define GABOR_PHASES recipe_phases
 #define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)

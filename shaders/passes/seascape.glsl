@@ -147,7 +147,7 @@ SeaHit seen_at_sea(Sea sea, vec3 eye, vec3 ray, float wide) {
     hit.foam = foam_on(sea, hit.water, x - hit.water.shift, across, along);
     hit.colour = mix(vec3(0.003, 0.022, 0.049), vec3(0.7), hit.foam);
     vec3 air = sky_of(sea.sun, vec3(ray.x, 0.01, ray.z)); // at the horizon; straight down, from no side
-    hit.light = mix(air, light_of_water(sea, hit.water, hit.water.slope / clamp(hit.water.fold, 0.4, 2.0), ray, hit.foam), exp(-1.2e-4 * t));
+    hit.light = mix(air, light_of_water(sea, hit.water, hit.water.slope / clamp(hit.water.jacobian, 0.4, 2.0), ray, hit.foam), exp(-1.2e-4 * t));
     return hit;
 }
 

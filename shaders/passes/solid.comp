@@ -58,7 +58,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         SolidWave wave = wave_table[i];
         bool isotropic = some_isotropic && (!some_directed || wave.isotropic == 1u);
         GaborPlace3d place = gabor_place_3d_at(p / wave.radius);
-        place.moment = animated ? time : 0.0;
+        place.evolution = animated ? time : 0.0;
         GaborField3d field;
         if (filtered)
             field = filtered_wave(wave, isotropic, place, dx / wave.radius, dy / wave.radius, normal);

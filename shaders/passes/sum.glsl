@@ -11,7 +11,7 @@ struct Noise {
 // `radius`: the radii of the noise's kernels.
 #ifdef GABOR_SPARSE_GLSL
 Noise noise_of(GaborField field, vec2 radius) {
-    return Noise(field.value, vec3(vec2(field.slope_x.y, field.slope_y.y) / radius, 0.0), 0.0);
+    return Noise(vec2(field.quadrature, field.noise), vec3(field.gradient / radius, 0.0), 0.0);
 }
 #else
 Noise noise_of(GaborField field, vec2 radius) {

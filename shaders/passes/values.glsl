@@ -33,7 +33,7 @@ void write_values(int at, Values here, vec2 slope, vec3 colour) {
         picture[at + gradient_at + 1] = slope.y;
     }
     if (phasor_at >= 0) {
-        vec2 phasor = gabor_phasor(here.noise.complex);
+        vec2 phasor = gabor_turns_intensity(here.noise.complex.yx);
         picture[at + phasor_at] = phasor.x;
         picture[at + phasor_at + 1] = phasor.y;
     }

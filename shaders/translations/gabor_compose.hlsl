@@ -46,51 +46,51 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    float3 joint;   // colour of the joints
-    float width;  // width of the boards along x, in units, 0.05 to 10
-    float reach;  // length of the boards along y, in units, 0.05 to 20
-    float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
-    float turns;  // share of the boards whose material is turned by a quarter turn, 0 to 1
-    float shades; // how much darker the darkest boards are than the material, 0 to 1
-    float gap;    // width of the joints, in units, 0 to 0.2
-    float depth;  // depth of the joints below height 0, in units, 0 to 0.2
+    float3 joint_colour;     // colour of the joints
+    float board_width;     // width of the boards along x, in units, 0.05 to 10
+    float board_length;    // length of the boards along y, in units, 0.05 to 20
+    float offset;          // shift of each column or row from the one before it, in boards, 0 to 1
+    float turned_share;    // share of the boards whose material is turned by a quarter turn, 0 to 1
+    float shade_variation; // how much darker the darkest boards are than the material, 0 to 1
+    float joint_width;     // width of the joints, in units, 0 to 0.2
+    float joint_depth;     // depth of the joints below height 0, in units, 0 to 0.2
 };
 
-GaborBoards GaborBoards_of(float3 joint, float width, float reach, float shift, float turns, float shades, float gap, float depth)
+GaborBoards GaborBoards_of(float3 joint_colour, float board_width, float board_length, float offset, float turned_share, float shade_variation, float joint_width, float joint_depth)
 {
     GaborBoards made;
-    made.joint = joint;
-    made.width = width;
-    made.reach = reach;
-    made.shift = shift;
-    made.turns = turns;
-    made.shades = shades;
-    made.gap = gap;
-    made.depth = depth;
+    made.joint_colour = joint_colour;
+    made.board_width = board_width;
+    made.board_length = board_length;
+    made.offset = offset;
+    made.turned_share = turned_share;
+    made.shade_variation = shade_variation;
+    made.joint_width = joint_width;
+    made.joint_depth = joint_depth;
     return made;
 }
 
 // The board at a point.
 struct GaborBoard {
-    float2 position; // where to evaluate its material
-    float2 dx;       // the pixel there, for a filtered material
+    float2 position;    // where to evaluate its material
+    float2 dx;          // the pixel there, for a filtered material
     float2 dy;
-    uint seed;     // the board's own seed for its material
-    float2 turn;     // cosine and sine of its turn
-    float tone;    // factor for its colours
-    float3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
+    uint seed;        // the board's own seed for its material
+    float2 rotation;    // cosine and sine of its turn
+    float shade;      // factor for its colours
+    float3 joint_cover; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
-GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint)
+GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 rotation, float shade, float3 joint_cover)
 {
     GaborBoard made;
     made.position = position;
     made.dx = dx;
     made.dy = dy;
     made.seed = seed;
-    made.turn = turn;
-    made.tone = tone;
-    made.joint = joint;
+    made.rotation = rotation;
+    made.shade = shade;
+    made.joint_cover = joint_cover;
     return made;
 }
 
@@ -143,9 +143,9 @@ float2 gabor_impl_board_index(float2 index, float2 count) {
 }
 
 GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, GaborBoards boards, uint seed) {
-    float2 size = float2(boards.width, boards.reach), count = (float2)(0.0);
+    float2 size = float2(boards.board_width, boards.board_length), count = (float2)(0.0);
     bool rows = size.x > size.y;
-    float shift = boards.shift;
+    float shift = boards.offset;
     if (period.x > 0.0) { // the shift must also fit between the last row and the first
         count = max(floor(period / size + 0.5), (float2)(1.0));
         float lines = rows ? count.y : count.x, rest = frac(lines * shift);
@@ -159,31 +159,31 @@ GaborBoard gabor_board(float2 p, float2 dx, float2 dy, float2 period, GaborBoard
     float2 cell = floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5) * size;
     uint salt = gabor_impl_salt(seed);
     uint word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    uint random = gabor_lobe_seed(word, 1);
-    float2 turn = float(random & 65535u) < 65536.0 * boards.turns ? float2(0.0, 1.0) : float2(1.0, 0.0);
+    uint random = gabor_derived_seed(word, 1);
+    float2 turn = float(random & 65535u) < 65536.0 * boards.turned_share ? float2(0.0, 1.0) : float2(1.0, 0.0);
     float2 back = float2(turn.x, -turn.y);
     float2 wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     float2 boards_wide = min(wide / (size * size), 4.0);
     // 19.739209 is 2 pi^2
     float mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
-    float2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
-    float2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    float2 across = gabor_impl_joints(local.x, size.x, boards.joint_width, wide.x);
+    float2 along = gabor_impl_joints(local.y, size.y, boards.joint_width, wide.y);
     float2 free = 1.0 - float2(across.x, along.x); // of a joint along each axis
     float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard_of(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark,
                       float3(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
 }
 
 GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {
-    float joint = board.joint.x, free = 1.0 - joint;
-    float2 back = float2(board.turn.x, -board.turn.y);
-    return GaborMaterial_of(lerp(board.tone * material.colour, boards.joint, joint),
-                         free * material.height - joint * boards.depth,
-                         free * gabor_impl_product(material.slope, board.turn)
-                             - (material.height + boards.depth) * board.joint.yz,
+    float joint = board.joint_cover.x, free = 1.0 - joint;
+    float2 back = float2(board.rotation.x, -board.rotation.y);
+    return GaborMaterial_of(lerp(board.shade * material.colour, boards.joint_colour, joint),
+                         free * material.height - joint * boards.joint_depth,
+                         free * gabor_impl_product(material.slope, board.rotation)
+                             - (material.height + boards.joint_depth) * board.joint_cover.yz,
                          lerp(material.roughness, max(material.roughness, 0.8), joint), free * material.metalness,
-                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx));
+                         free * gabor_impl_turned_square(material.lost, back, board.rotation.yx));
 }
 
 // The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the

@@ -51,25 +51,25 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    gabor_vec3 joint;   // colour of the joints
-    float width;  // width of the boards along x, in units, 0.05 to 10
-    float reach;  // length of the boards along y, in units, 0.05 to 20
-    float shift;  // shift of each column or row from the one before it, in boards, 0 to 1
-    float turns;  // share of the boards whose material is turned by a quarter turn, 0 to 1
-    float shades; // how much darker the darkest boards are than the material, 0 to 1
-    float gap;    // width of the joints, in units, 0 to 0.2
-    float depth;  // depth of the joints below height 0, in units, 0 to 0.2
+    gabor_vec3 joint_colour;     // colour of the joints
+    float board_width;     // width of the boards along x, in units, 0.05 to 10
+    float board_length;    // length of the boards along y, in units, 0.05 to 20
+    float offset;          // shift of each column or row from the one before it, in boards, 0 to 1
+    float turned_share;    // share of the boards whose material is turned by a quarter turn, 0 to 1
+    float shade_variation; // how much darker the darkest boards are than the material, 0 to 1
+    float joint_width;     // width of the joints, in units, 0 to 0.2
+    float joint_depth;     // depth of the joints below height 0, in units, 0 to 0.2
 };
 
 // The board at a point.
 struct GaborBoard {
-    gabor_vec2 position; // where to evaluate its material
-    gabor_vec2 dx;       // the pixel there, for a filtered material
+    gabor_vec2 position;    // where to evaluate its material
+    gabor_vec2 dx;          // the pixel there, for a filtered material
     gabor_vec2 dy;
-    std::uint32_t seed;     // the board's own seed for its material
-    gabor_vec2 turn;     // cosine and sine of its turn
-    float tone;    // factor for its colours
-    gabor_vec3 joint;    // how much of the pixel is a joint, and the derivatives of that along x and y
+    std::uint32_t seed;        // the board's own seed for its material
+    gabor_vec2 rotation;    // cosine and sine of its turn
+    float shade;      // factor for its colours
+    gabor_vec3 joint_cover; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
 // GaborBoards gabor_boards_default()
@@ -121,9 +121,9 @@ GABOR_INLINE gabor_vec2 gabor_impl_board_index(gabor_vec2 index, gabor_vec2 coun
 }
 
 GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBoards boards, std::uint32_t seed) {
-    gabor_vec2 size = gabor_vec2(boards.width, boards.reach), count = gabor_vec2(0.0f);
+    gabor_vec2 size = gabor_vec2(boards.board_width, boards.board_length), count = gabor_vec2(0.0f);
     bool rows = size.x > size.y;
-    float shift = boards.shift;
+    float shift = boards.offset;
     if (period.x > 0.0f) { // the shift must also fit between the last row and the first
         count = gabor_cpp_max(gabor_cpp_floor(period / size + 0.5f), gabor_vec2(1.0f));
         float lines = rows ? count.y : count.x, rest = gabor_cpp_fract(lines * shift);
@@ -137,31 +137,31 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 cell = gabor_cpp_floor(at), index = gabor_impl_board_index(cell, count), local = (at - cell - 0.5f) * size;
     std::uint32_t salt = gabor_impl_salt(seed);
     std::uint32_t word = gabor_impl_line_word(int(index.x), salt) * gabor_impl_line_word(int(index.y), salt ^ GABOR_IMPL_ROWS);
-    std::uint32_t random = gabor_lobe_seed(word, 1);
-    gabor_vec2 turn = float(random & 65535u) < 65536.0f * boards.turns ? gabor_vec2(0.0f, 1.0f) : gabor_vec2(1.0f, 0.0f);
+    std::uint32_t random = gabor_derived_seed(word, 1);
+    gabor_vec2 turn = float(random & 65535u) < 65536.0f * boards.turned_share ? gabor_vec2(0.0f, 1.0f) : gabor_vec2(1.0f, 0.0f);
     gabor_vec2 back = gabor_vec2(turn.x, -turn.y);
     gabor_vec2 wide = 0.25f * (dx * dx + dy * dy); // the variance of the pixel along x and y
     gabor_vec2 boards_wide = gabor_cpp_min(wide / (size * size), 4.0f);
     // 19.739209 is 2 pi^2
     float mean = gabor_cpp_exp(-19.739209f * gabor_cpp_max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
-    gabor_vec2 across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
-    gabor_vec2 along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    gabor_vec2 across = gabor_impl_joints(local.x, size.x, boards.joint_width, wide.x);
+    gabor_vec2 along = gabor_impl_joints(local.y, size.y, boards.joint_width, wide.y);
     gabor_vec2 free = 1.0f - gabor_vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f);
     return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0f - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0f - boards.shade_variation * dark,
                       gabor_vec3(1.0f - free.x * free.y, free.y * across.y, free.x * along.y)};
 }
 
 GABOR_INLINE GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {
-    float joint = board.joint.x, free = 1.0f - joint;
-    gabor_vec2 back = gabor_vec2(board.turn.x, -board.turn.y);
-    return GaborMaterial{gabor_cpp_mix(board.tone * material.colour, boards.joint, joint),
-                         free * material.height - joint * boards.depth,
-                         free * gabor_impl_product(material.slope, board.turn)
-                             - (material.height + boards.depth) * board.joint.yz(),
+    float joint = board.joint_cover.x, free = 1.0f - joint;
+    gabor_vec2 back = gabor_vec2(board.rotation.x, -board.rotation.y);
+    return GaborMaterial{gabor_cpp_mix(board.shade * material.colour, boards.joint_colour, joint),
+                         free * material.height - joint * boards.joint_depth,
+                         free * gabor_impl_product(material.slope, board.rotation)
+                             - (material.height + boards.joint_depth) * board.joint_cover.yz(),
                          gabor_cpp_mix(material.roughness, gabor_cpp_max(material.roughness, 0.8f), joint), free * material.metalness,
-                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx())};
+                         free * gabor_impl_turned_square(material.lost, back, board.rotation.yx())};
 }
 
 // The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the

@@ -28,25 +28,25 @@
 
 // Boards in columns along y or, if they are wider than long, in rows along x.
 struct GaborBoards {
-    joint: vec3f, // colour of the joints
-    width: f32,   // width of the boards along x, in units, 0.05 to 10
-    reach: f32,   // length of the boards along y, in units, 0.05 to 20
-    shift: f32,   // shift of each column or row from the one before it, in boards, 0 to 1
-    turns: f32,   // share of the boards whose material is turned by a quarter turn, 0 to 1
-    shades: f32,  // how much darker the darkest boards are than the material, 0 to 1
-    gap: f32,     // width of the joints, in units, 0 to 0.2
-    depth: f32,   // depth of the joints below height 0, in units, 0 to 0.2
+    joint_colour: vec3f,  // colour of the joints
+    board_width: f32,     // width of the boards along x, in units, 0.05 to 10
+    board_length: f32,    // length of the boards along y, in units, 0.05 to 20
+    offset: f32,          // shift of each column or row from the one before it, in boards, 0 to 1
+    turned_share: f32,    // share of the boards whose material is turned by a quarter turn, 0 to 1
+    shade_variation: f32, // how much darker the darkest boards are than the material, 0 to 1
+    joint_width: f32,     // width of the joints, in units, 0 to 0.2
+    joint_depth: f32,     // depth of the joints below height 0, in units, 0 to 0.2
 }
 
 // The board at a point.
 struct GaborBoard {
-    position: vec2f, // where to evaluate its material
-    dx: vec2f,       // the pixel there, for a filtered material
+    position: vec2f,    // where to evaluate its material
+    dx: vec2f,          // the pixel there, for a filtered material
     dy: vec2f,
-    seed: u32,       // the board's own seed for its material
-    turn: vec2f,     // cosine and sine of its turn
-    tone: f32,       // factor for its colours
-    joint: vec3f,    // how much of the pixel is a joint, and the derivatives of that along x and y
+    seed: u32,          // the board's own seed for its material
+    rotation: vec2f,    // cosine and sine of its turn
+    shade: f32,         // factor for its colours
+    joint_cover: vec3f, // how much of the pixel is a joint, and the derivatives of that along x and y
 }
 
 // fn gabor_boards_default() -> GaborBoards
@@ -100,9 +100,9 @@ fn gabor_impl_board_index(index: vec2f, count: vec2f) -> vec2f {
 }
 
 fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoards, seed: u32) -> GaborBoard {
-    var size = vec2f(boards.width, boards.reach); var count = vec2f(0.0);
+    var size = vec2f(boards.board_width, boards.board_length); var count = vec2f(0.0);
     let rows = size.x > size.y;
-    var shift = boards.shift;
+    var shift = boards.offset;
     if (period.x > 0.0) { // the shift must also fit between the last row and the first
         count = max(floor(period / size + 0.5), vec2f(1.0));
         var lines = select(count.x, count.y, rows); let rest = fract(lines * shift);
@@ -116,31 +116,31 @@ fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoard
     let cell = floor(at); let index = gabor_impl_board_index(cell, count); let local = (at - cell - 0.5) * size;
     let salt = gabor_impl_salt(seed);
     let word = gabor_impl_line_word(i32(index.x), salt) * gabor_impl_line_word(i32(index.y), salt ^ GABOR_IMPL_ROWS);
-    let random = gabor_lobe_seed(word, 1);
-    let turn = select(vec2f(1.0, 0.0), vec2f(0.0, 1.0), f32(random & 65535u) < 65536.0 * boards.turns);
+    let random = gabor_derived_seed(word, 1);
+    let turn = select(vec2f(1.0, 0.0), vec2f(0.0, 1.0), f32(random & 65535u) < 65536.0 * boards.turned_share);
     let back = vec2f(turn.x, -turn.y);
     let wide = 0.25 * (dx * dx + dy * dy); // the variance of the pixel along x and y
     let boards_wide = min(wide / (size * size), vec2f(4.0));
     // 19.739209 is 2 pi^2
     let mean = exp(-19.739209 * max(boards_wide.x, boards_wide.y)); // a pixel of several boards has their mean shade
-    let across = gabor_impl_joints(local.x, size.x, boards.gap, wide.x);
-    let along = gabor_impl_joints(local.y, size.y, boards.gap, wide.y);
+    let across = gabor_impl_joints(local.x, size.x, boards.joint_width, wide.x);
+    let along = gabor_impl_joints(local.y, size.y, boards.joint_width, wide.y);
     let free = 1.0 - vec2f(across.x, along.x); // of a joint along each axis
     let dark = 0.5 + mean * (f32(random >> 16u) / 65535.0 - 0.5);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_lobe_seed(word, 0), turn, 1.0 - boards.shades * dark,
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark,
                       vec3f(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {
-    let joint = board.joint.x; let free = 1.0 - joint;
-    let back = vec2f(board.turn.x, -board.turn.y);
-    return GaborMaterial(mix(board.tone * material.colour, boards.joint, joint),
-                         free * material.height - joint * boards.depth,
-                         free * gabor_impl_product(material.slope, board.turn)
-                             - (material.height + boards.depth) * board.joint.yz,
+    let joint = board.joint_cover.x; let free = 1.0 - joint;
+    let back = vec2f(board.rotation.x, -board.rotation.y);
+    return GaborMaterial(mix(board.shade * material.colour, boards.joint_colour, joint),
+                         free * material.height - joint * boards.joint_depth,
+                         free * gabor_impl_product(material.slope, board.rotation)
+                             - (material.height + boards.joint_depth) * board.joint_cover.yz,
                          mix(material.roughness, max(material.roughness, 0.8), joint), free * material.metalness,
-                         free * gabor_impl_turned_square(material.lost, back, board.turn.yx));
+                         free * gabor_impl_turned_square(material.lost, back, board.rotation.yx));
 }
 
 // The higher of two materials if `side` is 1, the lower if it is -1. In this smooth maximum the derivatives have the

@@ -72,7 +72,7 @@ float2 gabor_node_position(GaborPlace place, int index) {
     int2 node = (int2)(floor(place.local + 0.5)) + int2(index - index / 3 * 3 - 1, index / 3 - 1);
     node = int2(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
                  gabor_impl_wrap(place.cell.y + node.y, place.period.y));
-    return (float2)(node) / place.radius;
+    return (float2)(node) / place.cells_per_radius;
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
@@ -88,15 +88,15 @@ void gabor_impl_add_directed_wave(inout GaborField sum, float2 amplitude, float2
 
 GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
-    float2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
-            float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
+            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.evolution);
+            float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.cells_per_radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          float2(x.node[i].x, stretch.x * x.node[i].z),
                                          float2(y.node[j].x, stretch.y * y.node[j].z));

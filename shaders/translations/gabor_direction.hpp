@@ -77,7 +77,7 @@ GABOR_INLINE gabor_vec2 gabor_node_position(GaborPlace place, int index) {
     gabor_ivec2 node = gabor_ivec2(gabor_cpp_floor(place.local + 0.5f)) + gabor_ivec2(index - index / 3 * 3 - 1, index / 3 - 1);
     node = gabor_ivec2(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
                  gabor_impl_wrap(place.cell.y + node.y, place.period.y));
-    return gabor_vec2(node) / place.radius;
+    return gabor_vec2(node) / place.cells_per_radius;
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
@@ -93,15 +93,15 @@ GABOR_INLINE void gabor_impl_add_directed_wave(GaborField& sum, gabor_vec2 ampli
 
 GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
-                                      place.radius.y);
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
-            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
+            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.evolution);
+            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.cells_per_radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),
                                          gabor_vec2(y.node[j].x, stretch.y * y.node[j].z));

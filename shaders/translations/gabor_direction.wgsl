@@ -62,7 +62,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2f {
     var node = vec2i(floor(place.local + 0.5)) + vec2i(index - index / 3 * 3 - 1, index / 3 - 1);
     node = vec2i(gabor_impl_wrap(place.cell.x + node.x, place.period.x),
                  gabor_impl_wrap(place.cell.y + node.y, place.period.y));
-    return vec2f(node) / place.radius;
+    return vec2f(node) / place.cells_per_radius;
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
@@ -81,15 +81,15 @@ fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2f
 fn gabor_field_waves(place: GaborPlace, waves_in: GaborWaves, seed: u32) -> GaborField {
     var waves = waves_in;
     let salt = gabor_impl_salt(seed);
-    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                            place.radius.y);
-    let stretch = place.radius / GABOR_RADIUS;
+                            place.cells_per_radius.y);
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     for (var j = 0; j < 3; j++) {
         for (var i = 0; i < 3; i++) {
-            let amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
-            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / place.radius;
+            let amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.evolution);
+            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / place.cells_per_radius;
             gabor_impl_add_directed_wave(&sum, amplitude, waves.wave[3 * j + i], d,
                                          vec2f(x.node[i].x, stretch.x * x.node[i].z),
                                          vec2f(y.node[j].x, stretch.y * y.node[j].z));

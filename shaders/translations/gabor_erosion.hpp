@@ -6,7 +6,7 @@
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     vec4 cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     vec4 cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -34,19 +34,19 @@ struct GaborTerrain {
 
 struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
-    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    float strength;        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
                            // for equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+    float onset_slope;     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
                            // the rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
                            // for even stripes
-    float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
-    float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
-    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    float ridge_rounding;  // width of rounded ridges in radians of the first octave, 0 to 10, usually 0 to 2
+    float crease_rounding; // width of rounded creases in radians of the first octave, 0 to 10, usually 0 to 2
+    float gully_weight;    // depth of gullies, as a share of how far peaks and valleys move, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
@@ -64,7 +64,7 @@ struct GaborErosion {
 //     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
 //     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
-// vec4 gabor_ground(GaborTerrain terrain)
+// vec4 gabor_ground_cover(GaborTerrain terrain)
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
 //     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
 //     -1 to 1, as those of gabor_terrain.
@@ -90,22 +90,24 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes
+// per unit of p, so that wave vectors and derivatives are per unit of p.
 GABOR_INLINE GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
-    place.radius = gabor_vec2(float(rounded) / 65536.0f);
+    place.cells_per_radius = gabor_vec2(float(rounded) / 65536.0f);
     gabor_uvec2 low = (gabor_uvec2(ground.cell) & gabor_uvec2(0xffffu)) * (rounded & 0xffffu);
     gabor_uvec2 high = gabor_uvec2(ground.cell) * (rounded >> 16u) + gabor_uvec2(ground.cell >> gabor_ivec2(16)) * (rounded & 0xffffu);
     place.cell = gabor_ivec2(high + (low >> gabor_uvec2(16u)));
-    place.local = gabor_vec2(low & gabor_uvec2(0xffffu)) / 65536.0f + ground.local * place.radius;
+    place.local = gabor_vec2(low & gabor_uvec2(0xffffu)) / 65536.0f + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0f && ground.period.y <= 0.0f) return place;
-    place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.radius + 0.5f), 4.0f));
-    if (ground.period.x > 0.0f) place.radius.x = float(place.period.x) / ground.period.x; else place.period.x = 0;
-    if (ground.period.y > 0.0f) place.radius.y = float(place.period.y) / ground.period.y; else place.period.y = 0;
+    place.period = gabor_ivec2(gabor_cpp_max(gabor_cpp_floor(ground.period * place.cells_per_radius + 0.5f), 4.0f));
+    if (ground.period.x > 0.0f) place.cells_per_radius.x = float(place.period.x) / ground.period.x;
+    else place.period.x = 0;
+    if (ground.period.y > 0.0f) place.cells_per_radius.y = float(place.period.y) / ground.period.y;
+    else place.period.y = 0;
     place.cell = gabor_ivec2(0);
-    place.local = (gabor_vec2(ground.cell) + ground.local) * place.radius;
+    place.local = (gabor_vec2(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
 }
 
@@ -182,13 +184,14 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     gabor_vec2 second = 0.33f * unit * unit * gabor_vec2(0.30159289f * wave.x, -6.3165468f * rough * wave.y);
     gabor_vec2 along_x = hills.slope_x, along_y = hills.slope_y;
-    gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
+    gabor_vec2 slope = place.cells_per_radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
     gabor_vec3 curvature =
         gabor_vec3(gabor_cpp_dot(first, hills.curvature_xx) + along_x.y * (2.0f * second.x * along_x.x + second.y * along_x.y),
                gabor_cpp_dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                    + second.y * along_x.y * along_y.y,
                gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
-    curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    curvature *= gabor_vec3(place.cells_per_radius * place.cells_per_radius.x,
+                      place.cells_per_radius.y * place.cells_per_radius.y);
     float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
     return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature,
                         to_ridge * to_ridge * to_ridge / 0.33f * slope};
@@ -228,9 +231,11 @@ GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, 
 // gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
 GABOR_INLINE GaborImplBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y,
+                                      place.cells_per_radius.y);
     gabor_vec4 sum = gabor_vec4(0.0f), places = gabor_vec4(0.0f);
     gabor_vec2 along_y = gabor_vec2(0.0f);
     gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
@@ -238,9 +243,10 @@ GABOR_INLINE GaborImplBentField gabor_impl_bent_field(GaborPlace place, gabor_ve
     if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
     if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    GaborField field = gabor_impl_field(sum, gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, place.radius / GABOR_RADIUS);
+    GaborField field = gabor_impl_field(sum, gabor_vec4(along_y, 0.0f, 0.0f), turn, wave,
+                                        place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     gabor_vec2 value = gabor_vec2(field.quadrature, field.noise);
-    direction *= 6.2831853f / place.radius;
+    direction *= 6.2831853f / place.cells_per_radius;
     gabor_vec2 nodes = direction.x * places.xy() + direction.y * places.zw();
     gabor_vec2 bent = gabor_cpp_dot(direction, gabor_vec2(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -270,13 +276,13 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
     gabor_vec2 steer = base.slope, steer_x = base.curvature.xy(), steer_y = base.curvature.yz();
     float gully = base.ridge, ridge = base.ridge, sum = 0.0f; // t_i, t_i with w = 1, sum_i depth_i t_i
     gabor_vec2 gully_slope = base.ridge_slope, sum_slope = gabor_vec2(0.0f);
-    float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
+    float frequency = erosion.gully_frequency, depth = erosion.strength / erosion.gully_frequency;
     float mask = 1.0f, open = 1.0f;
     float rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
     gabor_vec2 mask_slope = gabor_vec2(0.0f), open_slope = gabor_vec2(0.0f);
     float rounded = 0.5f * (erosion.ridge_rounding - erosion.crease_rounding), peak = gabor_cpp_clamp(base.ridge, 0.0f, 1.0f);
     gabor_vec2 rounding_slope = rounded * base.ridge_slope;
-    float per_onset = 1.0f / gabor_cpp_max(erosion.onset, 1.0e-6f);
+    float per_onset = 1.0f / gabor_cpp_max(erosion.onset_slope, 1.0e-6f);
     for (int i = 0; i < erosion.octaves; ++i) {
         float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f);
         gabor_vec2 down = steer / steep, across = gabor_vec2(-down.y, down.x);
@@ -296,8 +302,9 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f); // pi^2 / 2
         gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
-            GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            // 1.25 gullies per radius.
+            GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_CELLS_PER_RADIUS * frequency);
+            GaborImplBentField field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             float shrink = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -321,7 +328,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         steer -= turn * wave;
         steer_x += turn * bend.x * down - turn_slope.x * wave;
         steer_y += turn * bend.y * down - turn_slope.y * wave;
-        float wide = frequency / erosion.frequency;
+        float wide = frequency / erosion.gully_frequency;
         rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * z.x);
         rounding_slope = rounded * gabor_vec2(z_x.x, z_y.x);
         gabor_vec3 edge = gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), wide * rounding);
@@ -351,7 +358,7 @@ GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborEro
     return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
 }
 
-GABOR_INLINE gabor_vec4 gabor_ground(GaborTerrain terrain) {
+GABOR_INLINE gabor_vec4 gabor_ground_cover(GaborTerrain terrain) {
     float steep = gabor_cpp_length(terrain.slope);
     float scree = gabor_cpp_smoothstep(-0.3f, 0.35f, terrain.height + 0.1f * terrain.ridge), rock = gabor_cpp_smoothstep(0.55f, 1.0f, steep);
     float snow = gabor_cpp_smoothstep(0.42f, 0.62f, terrain.height + 0.08f * terrain.ridge) * (1.0f - gabor_cpp_smoothstep(1.0f, 1.9f, steep));

@@ -5,7 +5,7 @@
 //
 //     let hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     let rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
-//     let cover = gabor_ground(rocks);                                   // shares of grass, scree, rock and snow
+//     let cover = gabor_ground_cover(rocks);                             // shares of grass, scree, rock and snow
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
@@ -23,19 +23,19 @@ struct GaborTerrain {
 
 struct GaborErosion {
     octaves: i32,         // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
-    frequency: f32,       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
-    strength: f32,        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    gully_frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    strength: f32,        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     lacunarity: f32,      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
     gain: f32,            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity
                           // for equal slopes
-    onset: f32,           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
+    onset_slope: f32,     // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice
                           // the rms slope of a map leaves its valleys open
     detail: f32,          // how far fine gullies enter creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     uniformity: f32,      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4
                           // for even stripes
-    ridge_rounding: f32,  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
-    crease_rounding: f32, // width of rounded creases, 0 to 10, usually 0 to 2
-    gully_weight: f32,    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
+    ridge_rounding: f32,  // width of rounded ridges in radians of the first octave, 0 to 10, usually 0 to 2
+    crease_rounding: f32, // width of rounded creases in radians of the first octave, 0 to 10, usually 0 to 2
+    gully_weight: f32,    // depth of gullies, as a share of how far peaks and valleys move, 0 to 1
     branching: f32,       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 }
 
@@ -53,7 +53,7 @@ struct GaborErosion {
 //     instead, its rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the
 //     result again, draw it as a heightmap first, which has its curvature in nine texels.
 
-// fn gabor_ground(terrain: GaborTerrain) -> vec4f
+// fn gabor_ground_cover(terrain: GaborTerrain) -> vec4f
 //     The shares of grass, scree, rock and snow, whose sum is 1: snow where it is high, rock where it is steep,
 //     elsewhere scree where it is fairly high, and grass below. Ridges count as a little higher. Heights are about from
 //     -1 to 1, as those of gabor_terrain.
@@ -79,22 +79,24 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(vec2i
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `cells_per_radius` is in nodes
+// per unit of p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     let rounded = u32(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     var place = gabor_place(vec2i(0), vec2f(0.0));
-    place.radius = vec2f(f32(rounded) / 65536.0);
+    place.cells_per_radius = vec2f(f32(rounded) / 65536.0);
     let low = (vec2u(ground.cell) & vec2u(0xffffu)) * (rounded & 0xffffu);
     let high = vec2u(ground.cell) * (rounded >> 16u) + vec2u(ground.cell >> vec2u(vec2i(16))) * (rounded & 0xffffu);
     place.cell = vec2i(high + (low >> vec2u(16u)));
-    place.local = vec2f(low & vec2u(0xffffu)) / 65536.0 + ground.local * place.radius;
+    place.local = vec2f(low & vec2u(0xffffu)) / 65536.0 + ground.local * place.cells_per_radius;
     if (ground.period.x <= 0.0 && ground.period.y <= 0.0) { return place; }
-    place.period = vec2i(max(floor(ground.period * place.radius + 0.5), vec2f(4.0)));
-    if (ground.period.x > 0.0) { place.radius.x = f32(place.period.x) / ground.period.x; } else { place.period.x = 0; }
-    if (ground.period.y > 0.0) { place.radius.y = f32(place.period.y) / ground.period.y; } else { place.period.y = 0; }
+    place.period = vec2i(max(floor(ground.period * place.cells_per_radius + 0.5), vec2f(4.0)));
+    if (ground.period.x > 0.0) { place.cells_per_radius.x = f32(place.period.x) / ground.period.x; }
+    else { place.period.x = 0; }
+    if (ground.period.y > 0.0) { place.cells_per_radius.y = f32(place.period.y) / ground.period.y; }
+    else { place.period.y = 0; }
     place.cell = vec2i(0);
-    place.local = (vec2f(ground.cell) + ground.local) * place.radius;
+    place.local = (vec2f(ground.cell) + ground.local) * place.cells_per_radius;
     return place;
 }
 
@@ -173,12 +175,13 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, seed: u32) 
     // 0.30159289 is 0.12 * 0.8 pi and 6.3165468 is (0.8 pi)^2
     let second = 0.33 * unit * unit * vec2f(0.30159289 * wave.x, -6.3165468 * rough * wave.y);
     let along_x = hills.slope_x; let along_y = hills.slope_y;
-    let slope = place.radius * vec2f(dot(first, along_x), dot(first, along_y));
+    let slope = place.cells_per_radius * vec2f(dot(first, along_x), dot(first, along_y));
     var curvature = vec3f(dot(first, hills.curvature_xx) + along_x.y * (2.0 * second.x * along_x.x + second.y * along_x.y),
                             dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
                                 + second.y * along_x.y * along_y.y,
                             dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
-    curvature *= vec3f(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    curvature *= vec3f(place.cells_per_radius * place.cells_per_radius.x,
+                       place.cells_per_radius.y * place.cells_per_radius.y);
     let to_ridge = inverseSqrt(1.0 + height * height);
     return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature,
                         to_ridge * to_ridge * to_ridge / 0.33 * slope);
@@ -220,9 +223,11 @@ fn gabor_impl_add_bent_row(sum: ptr<function, vec4f>, along_y: ptr<function, vec
 fn gabor_impl_bent_field(place: GaborPlace, wave: vec2f, direction_in: vec2f, seed: u32) -> GaborImplBentField {
     var direction = direction_in;
     var salt = gabor_impl_salt(seed);
-    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                            place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y,
+                            place.cells_per_radius.y);
     var sum = vec4f(0.0); var places = vec4f(0.0);
     var along_y = vec2f(0.0);
     gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 0);
@@ -230,9 +235,10 @@ fn gabor_impl_bent_field(place: GaborPlace, wave: vec2f, direction_in: vec2f, se
     if (GABOR_TAPS > 2) { gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 2); }
     if (GABOR_TAPS > 3) { gabor_impl_add_bent_row(&sum, &along_y, &places, x, y, 3); }
     let turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
-    let field = gabor_impl_field(sum, vec4f(along_y, 0.0, 0.0), turn, wave, place.radius / GABOR_RADIUS);
+    let field = gabor_impl_field(sum, vec4f(along_y, 0.0, 0.0), turn, wave,
+                                 place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
     let value = vec2f(field.quadrature, field.noise);
-    direction *= 6.2831853 / place.radius;
+    direction *= 6.2831853 / place.cells_per_radius;
     let nodes = direction.x * places.xy + direction.y * places.zw;
     let bent = dot(direction, vec2f(x.offset, y.offset)) * value
               - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -262,13 +268,13 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
     var steer = base.slope; var steer_x = base.curvature.xy; var steer_y = base.curvature.yz;
     var gully = base.ridge; var ridge = base.ridge; var sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
     var gully_slope = base.ridge_slope; var sum_slope = vec2f(0.0);
-    var frequency = erosion.frequency; var depth = erosion.strength / erosion.frequency;
+    var frequency = erosion.gully_frequency; var depth = erosion.strength / erosion.gully_frequency;
     var mask = 1.0; var open = 1.0;
     var rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     var mask_slope = vec2f(0.0); var open_slope = vec2f(0.0);
     let rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding); let peak = clamp(base.ridge, 0.0, 1.0);
     var rounding_slope = rounded * base.ridge_slope;
-    let per_onset = 1.0 / max(erosion.onset, 1.0e-6);
+    let per_onset = 1.0 / max(erosion.onset_slope, 1.0e-6);
     for (var i = 0; i < erosion.octaves; i++) {
         let steep = max(length(steer), 1.0e-9);
         let down = steer / steep; let across = vec2f(-down.y, down.x);
@@ -288,8 +294,9 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
         let share = 1.02 * exp(-4.9348022 * dot(steps, steps)); let kept = max(share - 0.02, 0.0); // pi^2 / 2
         var z = vec2f(0.0); var z_x = vec2f(0.0); var z_y = vec2f(0.0); var kept_slope = vec2f(0.0);
         if (kept > 0.0) {
-            let place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            let field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            // 1.25 gullies per radius.
+            let place = gabor_impl_ground(ground, 0.8 * GABOR_CELLS_PER_RADIUS * frequency);
+            let field = gabor_impl_bent_field(place, wave, down, gabor_derived_seed(seed, i));
             z = erosion.uniformity * field.value;
             let shrink = inverseSqrt(1.0 + dot(z, z)); // brings the length of z near 1, except where waves cancel
             z *= shrink;
@@ -313,7 +320,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2f, dy: vec2f, base: GaborT
         steer -= turn * wave;
         steer_x += turn * bend.x * down - turn_slope.x * wave;
         steer_y += turn * bend.y * down - turn_slope.y * wave;
-        let wide = frequency / erosion.frequency;
+        let wide = frequency / erosion.gully_frequency;
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         rounding_slope = rounded * vec2f(z_x.x, z_y.x);
         let edge = gabor_impl_mask(0.5 - 0.5 * kept + abs(z.y), wide * rounding);
@@ -342,7 +349,7 @@ fn gabor_eroded(p: vec2f, base: GaborTerrain, erosion: GaborErosion, seed: u32) 
     return gabor_eroded_at(GaborTerrainPlace(vec2i(0), p, vec2f(0.0)), vec2f(0.0), vec2f(0.0), base, erosion, seed);
 }
 
-fn gabor_ground(terrain: GaborTerrain) -> vec4f {
+fn gabor_ground_cover(terrain: GaborTerrain) -> vec4f {
     let steep = length(terrain.slope);
     let scree = smoothstep(-0.3, 0.35, terrain.height + 0.1 * terrain.ridge); let rock = smoothstep(0.55, 1.0, steep);
     let snow = smoothstep(0.42, 0.62, terrain.height + 0.08 * terrain.ridge) * (1.0 - smoothstep(1.0, 1.9, steep));

@@ -102,7 +102,7 @@ float gabor_impl_transmitted(float2 wave, float3 covariance) {
     return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
-// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
+// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
 struct GaborImplFootprint {
     float3 covariance;
     float3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -178,27 +178,28 @@ void gabor_impl_filter(inout GaborImplAxis axis, float variance, float blurred, 
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-float2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float moment) {
+float2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float evolution) {
     float4 sum, slope;
-    gabor_impl_sum(columns, rows, moment, sum, slope);
+    gabor_impl_sum(columns, rows, evolution, sum, slope);
     return sum.xy + coupling * slope.zw;
 }
 
 // The filtered noise at `place`, with three waves along each axis.
 GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
-    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                            GABOR_CELLS_PER_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                         GABOR_RADIUS);
+                                         GABOR_CELLS_PER_RADIUS);
     // 19.739209 is 2 pi^2
     float2 turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
-    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
-    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
+    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.evolution);
+    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.evolution);
+    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.evolution);
     return gabor_impl_field(float4(value, along_x), float4(along_y, 0.0, 0.0), turn, wave, (float2)(1.0));
 }
 
@@ -325,7 +326,7 @@ GaborImplFilteredLine GaborImplFilteredLine_of(uint word, GaborImplFactors windo
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 float2 gabor_impl_fade(GaborImplFilteredAxis b, int index) {
     float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
-    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
+    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
@@ -403,22 +404,22 @@ GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, GaborImplFactors 
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 void gabor_impl_add_filtered_node(inout GaborImplFactors row, inout GaborImplFactors edge, GaborImplFilteredLine column,
-                                  uint row_word, float moment) {
-    float2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
+                                  uint row_word, float evolution) {
+    float2 a = gabor_impl_amplitude_at(column.word * row_word, evolution), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float moment,
+GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, uint row_word, float evolution,
                                          out GaborImplFactors edge) {
     GaborImplFactors row = GaborImplFactors_of((float3)(0.0), (float3)(0.0)), none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, evolution);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, evolution);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, evolution);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, evolution);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, evolution);
     return row;
 }
 
@@ -446,22 +447,22 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     // 39.478418 is 4 pi^2
     float mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
     float3 weights = float3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
-    float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
-    float2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    float2 step_x = gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS);
+    float2 step_y = gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS);
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
                                                             place.period.x, salt, step_x);
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
                                                            place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     GaborImplColumns columns = gabor_impl_columns(across);
     GaborImplFilteredLine line_ = gabor_impl_line_before(
-        along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
+        along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_CELLS_PER_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0), edge_x = (float2)(0.0), edge_y = (float2)(0.0);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborImplFactors edge = GaborImplFactors_of((float3)(0.0), (float3)(0.0)); // DXC warns of structs that only a call sets
-        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.evolution, edge);
         GaborImplFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -486,9 +487,9 @@ float gabor_impl_wide_share(GaborImplFootprint footprint) {
     return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
 
-// Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
+// Nodes are `stretch` / GABOR_CELLS_PER_RADIUS kernel radii apart.
 GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, float wide, float2 wave, uint seed) {
-    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
@@ -510,7 +511,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, f
 }
 
 GaborField gabor_field_filtered(GaborPlace place, float2 dx, float2 dy, float2 wave, uint seed) {
-    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
@@ -536,7 +537,7 @@ GaborField gabor_field_lobes_filtered(GaborPlace place, float2 dx, float2 dy, Ga
         GaborLobe lobe = lobes.lobe[i];
         float2 unit = 1.0 / lobe.radius;
         GaborField field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
-                                                gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+                                                gabor_impl_lobe_wave(lobe), gabor_derived_seed(seed, i));
         gabor_impl_add_field(sum, field, power > 0.0 ? sqrt(lobe.power / power) : 0.0, unit);
     }
     return sum;
@@ -606,20 +607,22 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy
     s *= 0.04 / max(0.5 * (s.x + s.y + length(float2(s.x - s.y, 2.0 * s.z))), 0.04);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
-    float2 stretch = place.radius / GABOR_RADIUS;
-    float2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
+    float2 unit = frequency / stretch;
+    // From here on, nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
     s *= float3(stretch * stretch, stretch.x * stretch.y);
     float2 fall = exp(-4.934802 * s.xy), width = clamp(0.5 * sqrt(s.xy), 0.001, 0.05); // pi^2 / 2
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                        GABOR_CELLS_PER_RADIUS);
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
-            float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_CELLS_PER_RADIUS;
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.evolution);
             float2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             float2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             float2 cosine = fall * (float2(x.node[i].x, y.node[j].x) - 0.5);

@@ -107,7 +107,7 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
 }
 
-// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
+// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
 struct GaborImplFootprint {
     gabor_vec3 covariance;
     gabor_vec3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -175,27 +175,28 @@ GABOR_INLINE void gabor_impl_filter(GaborImplAxis& axis, float variance, float b
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float moment) {
+GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborImplAxis columns, GaborImplAxis rows, float coupling, float evolution) {
     gabor_vec4 sum, slope;
-    gabor_impl_sum(columns, rows, moment, sum, slope);
+    gabor_impl_sum(columns, rows, evolution, sum, slope);
     return sum.xy() + coupling * slope.zw();
 }
 
 // The filtered noise at `place`, with three waves along each axis.
 GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
-    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                            GABOR_CELLS_PER_RADIUS);
     GaborImplAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                         GABOR_RADIUS);
+                                         GABOR_CELLS_PER_RADIUS);
     // 19.739209 is 2 pi^2
     gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     GaborImplAxis columns_slope = columns, rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
-    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
-    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
+    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.evolution);
+    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.evolution);
+    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.evolution);
     return gabor_impl_field(gabor_vec4(value, along_x), gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, gabor_vec2(1.0f));
 }
 
@@ -282,7 +283,7 @@ struct GaborImplFilteredLine {
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborImplFilteredAxis b, int index) {
     float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
-    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
+    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_CELLS_PER_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
 }
 
 // Computes line `index` from its turn and phase.
@@ -348,22 +349,22 @@ GABOR_INLINE GaborImplFactors gabor_impl_plus_product(GaborImplFactors sum, Gabo
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 GABOR_INLINE void gabor_impl_add_filtered_node(GaborImplFactors& row, GaborImplFactors& edge, GaborImplFilteredLine column,
-                                  std::uint32_t row_word, float moment) {
-    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
+                                  std::uint32_t row_word, float evolution) {
+    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, evolution), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, std::uint32_t row_word, float moment,
+GABOR_INLINE GaborImplFactors gabor_impl_filtered_row(GaborImplColumns columns, std::uint32_t row_word, float evolution,
                                          GaborImplFactors& edge) {
     GaborImplFactors row = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, evolution);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, evolution);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, evolution);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, evolution);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, evolution);
     return row;
 }
 
@@ -391,22 +392,22 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     // 39.478418 is 4 pi^2
     float mixed = 39.478418f * s.z * r / (1.0f + r); // 2 lambda sqrt(g_x g_y)
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
-    gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
-    gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS);
+    gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS);
     GaborImplFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
                                                             place.period.x, salt, step_x);
     GaborImplFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
                                                            place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     GaborImplColumns columns = gabor_impl_columns(across);
     GaborImplFilteredLine line_ = gabor_impl_line_before(
-        along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
+        along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_CELLS_PER_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // DXC warns of structs that only a call sets
-        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborImplFactors row = gabor_impl_filtered_row(columns, line_.word, place.evolution, edge);
         GaborImplFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -431,9 +432,9 @@ GABOR_INLINE float gabor_impl_wide_share(GaborImplFootprint footprint) {
     return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
 }
 
-// Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
+// Nodes are `stretch` / GABOR_CELLS_PER_RADIUS kernel radii apart.
 GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint footprint, float wide, gabor_vec2 wave, std::uint32_t seed) {
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
@@ -455,7 +456,7 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborImplFootprint
 }
 
 GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 wave, std::uint32_t seed) {
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
@@ -481,7 +482,7 @@ GABOR_INLINE GaborField gabor_field_lobes_filtered(GaborPlace place, gabor_vec2 
         GaborLobe lobe = lobes.lobe[i];
         gabor_vec2 unit = 1.0f / lobe.radius;
         GaborField field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
-                                                gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+                                                gabor_impl_lobe_wave(lobe), gabor_derived_seed(seed, i));
         gabor_impl_add_field(sum, field, power > 0.0f ? gabor_cpp_sqrt(lobe.power / power) : 0.0f, unit);
     }
     return sum;
@@ -542,20 +543,22 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
     s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
     float narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(gabor_cpp_min(kept / gabor_cpp_max(narrower, 1.0e-30f), 1.0f));
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    gabor_vec2 unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
+    gabor_vec2 unit = frequency / stretch;
+    // From here on, nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
     s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
     gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f); // pi^2 / 2
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                        GABOR_CELLS_PER_RADIUS);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
-            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_CELLS_PER_RADIUS;
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, unit * d, place.evolution);
             gabor_vec2 t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
             gabor_vec2 change = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(d);
             gabor_vec2 cosine = fall * (gabor_vec2(x.node[i].x, y.node[j].x) - 0.5f);

@@ -87,7 +87,7 @@ fn gabor_impl_transmitted(wave: vec2f, covariance: vec3f) -> f32 {
     return exp(-clamp(exponent, 0.0, 80.0)) * inverseSqrt(d);
 }
 
-// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
+// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
 struct GaborImplFootprint {
     covariance: vec3f,
     resolved: vec3f, // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -158,27 +158,28 @@ fn gabor_impl_filter(axis: ptr<function, GaborImplAxis>, variance: f32, blurred:
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-fn gabor_impl_coupled_sum(columns: GaborImplAxis, rows: GaborImplAxis, coupling: f32, moment: f32) -> vec2f {
+fn gabor_impl_coupled_sum(columns: GaborImplAxis, rows: GaborImplAxis, coupling: f32, evolution: f32) -> vec2f {
     var sum: vec4f; var slope: vec4f;
-    gabor_impl_sum(columns, rows, moment, &sum, &slope);
+    gabor_impl_sum(columns, rows, evolution, &sum, &slope);
     return sum.xy + coupling * slope.zw;
 }
 
 // The filtered noise at `place`, with three waves along each axis.
 fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2f, s: vec3f, salt: u32) -> GaborField {
     let blurred = gabor_impl_symmetric(s, wave);
-    var columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    var columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                  GABOR_CELLS_PER_RADIUS);
     var rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                               GABOR_RADIUS);
+                               GABOR_CELLS_PER_RADIUS);
     // 19.739209 is 2 pi^2
     let turn = exp(-19.739209 * dot(wave, blurred))
               * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
     var columns_slope = columns; var rows_slope = rows; // DXC warns of structs that only a call sets
     gabor_impl_filter(&columns, s.x, blurred.x, &columns_slope);
     gabor_impl_filter(&rows, s.y, blurred.y, &rows_slope);
-    let value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
-    let along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
-    let along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
+    let value = gabor_impl_coupled_sum(columns, rows, s.z, place.evolution);
+    let along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.evolution);
+    let along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.evolution);
     return gabor_impl_field(vec4f(value, along_x), vec4f(along_y, 0.0, 0.0), turn, wave, vec2f(1.0));
 }
 
@@ -264,7 +265,7 @@ struct GaborImplFilteredLine {
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 fn gabor_impl_fade(b: GaborImplFilteredAxis, index: i32) -> vec2f {
     let d = b.offset - f32(index); let t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
-    return t * vec2f(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
+    return t * vec2f(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
@@ -330,23 +331,23 @@ fn gabor_impl_plus_product(sum: GaborImplFactors, factors: GaborImplFactors, rea
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 fn gabor_impl_add_filtered_node(row: ptr<function, GaborImplFactors>, edge: ptr<function, GaborImplFactors>,
-                                column: GaborImplFilteredLine, row_word: u32, moment: f32) {
-    let a = gabor_impl_amplitude_at(column.word * row_word, moment); let b = column.fade.x * a;
+                                column: GaborImplFilteredLine, row_word: u32, evolution: f32) {
+    let a = gabor_impl_amplitude_at(column.word * row_word, evolution); let b = column.fade.x * a;
     let c = column.fade.y * a;
     *row = gabor_impl_plus_product((*row), column.window, b.x, b.y);
     *edge = gabor_impl_plus_product((*edge), column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborImplColumns, row_word: u32, moment: f32,
+fn gabor_impl_filtered_row(columns: GaborImplColumns, row_word: u32, evolution: f32,
                            edge: ptr<function, GaborImplFactors>) -> GaborImplFactors {
     var row = GaborImplFactors(vec3f(0.0), vec3f(0.0)); var none = row;
     *edge = row;
-    gabor_impl_add_filtered_node(&row, edge, columns.column_0, row_word, moment);
-    gabor_impl_add_filtered_node(&row, &none, columns.column_1, row_word, moment);
-    gabor_impl_add_filtered_node(&row, &none, columns.column_2, row_word, moment);
-    gabor_impl_add_filtered_node(&row, edge, columns.column_3, row_word, moment);
-    if (columns.five) { gabor_impl_add_filtered_node(&row, edge, columns.column_4, row_word, moment); }
+    gabor_impl_add_filtered_node(&row, edge, columns.column_0, row_word, evolution);
+    gabor_impl_add_filtered_node(&row, &none, columns.column_1, row_word, evolution);
+    gabor_impl_add_filtered_node(&row, &none, columns.column_2, row_word, evolution);
+    gabor_impl_add_filtered_node(&row, edge, columns.column_3, row_word, evolution);
+    if (columns.five) { gabor_impl_add_filtered_node(&row, edge, columns.column_4, row_word, evolution); }
     return row;
 }
 
@@ -374,15 +375,15 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bo
     // 39.478418 is 4 pi^2
     let mixed = 39.478418 * s.z * r / (1.0 + r); // 2 lambda sqrt(g_x g_y)
     let weights = vec3f(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
-    let step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
-    let step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    let step_x = gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS);
+    let step_y = gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS);
     let across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x,
                                           place.period.x, salt, step_x);
     let along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y,
                                          place.period.y, salt ^ GABOR_IMPL_ROWS, step_y);
     let columns = gabor_impl_columns(across);
     var line = gabor_impl_line_before(
-        along, gabor_impl_wave(dot(wave, vec2f(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
+        along, gabor_impl_wave(dot(wave, vec2f(across.offset, along.offset + 1.0)) / GABOR_CELLS_PER_RADIUS));
     let rows = select(0, along.count, wanted); // saves time where a driver runs both sides of a branch
     var value = vec2f(0.0); var next_x = vec2f(0.0); var next_y = vec2f(0.0); var edge_x = vec2f(0.0);
     var edge_y = vec2f(0.0);
@@ -390,7 +391,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2f, s: vec3f, wanted: bo
     loop {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
         var edge = GaborImplFactors(vec3f(0.0), vec3f(0.0)); // DXC warns of structs that only a call sets
-        let row = gabor_impl_filtered_row(columns, line.word, place.moment, &edge);
+        let row = gabor_impl_filtered_row(columns, line.word, place.evolution, &edge);
         let window = gabor_impl_faded(line);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -416,10 +417,10 @@ fn gabor_impl_wide_share(footprint: GaborImplFootprint) -> f32 {
     return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
 
-// Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
+// Nodes are `stretch` / GABOR_CELLS_PER_RADIUS kernel radii apart.
 fn gabor_impl_filtered(place: GaborPlace, footprint: GaborImplFootprint, wide: f32, wave_in: vec2f, seed: u32) -> GaborField {
     var wave = wave_in;
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, vec2f(-1.0e6), vec2f(1.0e6)) / stretch;
     let transmitted = gabor_impl_transmitted(wave, footprint.covariance);
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
@@ -444,7 +445,7 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborImplFootprint, wide: f
 }
 
 fn gabor_field_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, wave: vec2f, seed: u32) -> GaborField {
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     let footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
 }
@@ -469,7 +470,7 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, lobes_in:
         let lobe = lobes.lobe[i];
         let unit = 1.0 / lobe.radius;
         let field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
-                                         gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+                                         gabor_impl_lobe_wave(lobe), gabor_derived_seed(seed, i));
         gabor_impl_add_field(&sum, field, select(0.0, sqrt(lobe.power / power), power > 0.0), unit);
     }
     return sum;
@@ -533,19 +534,21 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, frequ
     s *= 0.04 / max(0.5 * (s.x + s.y + length(vec2f(s.x - s.y, 2.0 * s.z))), 0.04);
     let narrower = gabor_impl_transmitted_isotropic_2d(frequency, s); // at least `kept`, but for rounding
     let amplitude = GABOR_IMPL_STAR * sqrt(min(kept / max(narrower, 1.0e-30), 1.0));
-    let stretch = place.radius / GABOR_RADIUS;
-    let unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
+    let unit = frequency / stretch;
+    // From here on, nodes are 1 / GABOR_CELLS_PER_RADIUS apart.
     s *= vec3f(stretch * stretch, stretch.x * stretch.y);
     let fall = exp(-4.934802 * s.xy); let width = clamp(0.5 * sqrt(s.xy), vec2f(0.001), vec2f(0.05)); // pi^2 / 2
     let salt = gabor_impl_salt(seed);
-    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
+    var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                            GABOR_CELLS_PER_RADIUS);
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     for (var j = 0; j < 3; j++) {
         let row = gabor_impl_row(y.word[j]);
         for (var i = 0; i < 3; i++) {
-            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / GABOR_RADIUS;
-            let star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            let d = vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1)) / GABOR_CELLS_PER_RADIUS;
+            let star = gabor_impl_star(x.word[i] * row, unit * d, place.evolution);
             let t = clamp((1.0 - abs(d)) / width, vec2f(0.0), vec2f(1.0)); let fade = t * t * (3.0 - 2.0 * t);
             let change = -6.0 / width * t * (1.0 - t) * sign(d);
             let cosine = fall * (vec2f(x.node[i].x, y.node[j].x) - 0.5);

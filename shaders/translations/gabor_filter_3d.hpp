@@ -108,17 +108,18 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
     // 157.91367 is 16 pi^2
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborImplFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                                       place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                                       place.period.x, salt,
+                                                           gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS));
     GaborImplFilteredAxis y = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
                                                        place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                                       gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                                       gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS));
     GaborImplFilteredAxis z = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
                                                        place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                                       gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                                       gabor_impl_wave(wave.z / GABOR_CELLS_PER_RADIUS));
     GaborImplColumns columns = gabor_impl_columns(x);
     GaborImplFilteredLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
     GaborImplFilteredLine slice = gabor_impl_line_before(
-        z, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec3(x.offset, y.offset, z.offset + 1.0f)) / GABOR_RADIUS));
+        z, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec3(x.offset, y.offset, z.offset + 1.0f)) / GABOR_CELLS_PER_RADIUS));
     GaborImplFactors none = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), next_z = gabor_vec2(0.0f);
@@ -132,7 +133,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // unused
             GaborImplFactors sum =
-                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, edge);
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, edge);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -162,7 +163,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
-// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
+// for isotropic noise, otherwise in units of GABOR_CELLS_PER_RADIUS node spacings.
 struct GaborImplPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -204,9 +205,9 @@ GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborImplPixelAxes
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
 // yz, zx and xy.
 GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z,
-                                   gabor_vec3 mixed, float moment) {
+                                   gabor_vec3 mixed, float evolution) {
     gabor_vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
+    gabor_impl_sum_slice(x, y, z, 0, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[0].xy()), gabor_impl_product(slice.xy(), z.node[0].zw()));
     sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[0].zw())
@@ -217,11 +218,12 @@ GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slo
 // compiles a loop whose length it does not know much faster than three calls.
 GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborImplMatrix pixel, bool wanted,
                                            std::uint32_t salt) {
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec3 blurred = gabor_impl_symmetric_3d(pixel, wave);
     GaborImplAxis unused = x;
@@ -231,7 +233,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
     int slices = wanted ? 3 : 0;
     for (int k = 0; k < slices; ++k) {
-        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.moment);
+        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.evolution);
         z.node[0] = z.node[1];
         z.node[1] = z.node[2];
         z.word[0] = z.word[1];
@@ -241,7 +243,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
 }
 
 GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, gabor_vec3 wave, std::uint32_t seed) {
-    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, stretch), resolved = gabor_impl_resolved(whole, 1.0f);
@@ -269,7 +271,7 @@ GABOR_INLINE GaborField3d gabor_field_surface_filtered(GaborPlace3d place, gabor
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
         gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+        gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_derived_seed(seed, i)),
                                 gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;
@@ -298,9 +300,9 @@ GABOR_INLINE GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode nod
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
 // s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
-                                     GaborImplFilteredNode z, gabor_vec4 wave, float moment, GaborImplMatrix pixel,
+                                     GaborImplFilteredNode z, gabor_vec4 wave, float evolution, GaborImplMatrix pixel,
                                      std::uint32_t word) {
-    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.middle, y.middle, z.middle), cosine = gabor_vec3(x.cosine, y.cosine, z.cosine);
     gabor_vec3 sine = gabor_vec3(x.sine, y.sine, z.sine), s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
     a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
@@ -322,15 +324,15 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFi
 }
 
 GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,
-                                      GaborImplFilteredNode z, gabor_vec3 scale, float moment, GaborImplMatrix pixel,
+                                      GaborImplFilteredNode z, gabor_vec3 scale, float evolution, GaborImplMatrix pixel,
                                       GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, moment, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, moment, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, evolution, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, evolution, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, moment, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, evolution, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
@@ -359,7 +361,7 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborImplPi
 
 GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float frequency,
                                            GaborImplTangents tangents, std::uint32_t seed) {
-    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     GaborImplPixelAxes whole = gabor_impl_pixel(dx, dy, gabor_vec3(1.0f)), resolved = gabor_impl_resolved(whole, 0.5f);
     float transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
@@ -372,11 +374,12 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabo
         gabor_impl_covariance(GaborImplPixelAxes{resolved.major * stretch, resolved.minor * stretch});
     gabor_vec3 s = pixel.diagonal, scale = frequency / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                        GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplFilteredNode x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     GaborImplFilteredNode x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     GaborImplFilteredNode x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -385,9 +388,9 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabo
         GaborImplFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
         GaborImplFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[0], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[1], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[2], row);
     }
     amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)
                / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -407,7 +410,7 @@ GABOR_INLINE GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d pl
     for (int i = aside > 0.25f ? 0 : 1; i < (aside < 0.5f ? 2 : 1); ++i) {
         float power = gabor_impl_takeover(i == 0 ? gabor_cpp_smoothstep(0.25f, 0.5f, aside) : 1.0f - gabor_cpp_smoothstep(0.25f, 0.5f, aside));
         GaborField3d field = gabor_impl_isotropic_filtered(place, dx, dy, frequency, gabor_impl_tangents(normal, i),
-                                                           gabor_lobe_seed(seed, i));
+                                                           gabor_derived_seed(seed, i));
         gabor_impl_add_field_3d(sum, field, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;

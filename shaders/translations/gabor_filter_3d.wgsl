@@ -85,17 +85,18 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
     // 157.91367 is 16 pi^2
     let w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     let x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, place.cell.x, place.local.x,
-                                     place.period.x, salt, gabor_impl_wave(wave.x / GABOR_RADIUS));
+                                     place.period.x, salt,
+                                         gabor_impl_wave(wave.x / GABOR_CELLS_PER_RADIUS));
     let y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, place.cell.y, place.local.y,
                                      place.period.y, salt ^ GABOR_IMPL_ROWS,
-                                     gabor_impl_wave(wave.y / GABOR_RADIUS));
+                                     gabor_impl_wave(wave.y / GABOR_CELLS_PER_RADIUS));
     let z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, place.cell.z, place.local.z,
                                      place.period.z, salt ^ GABOR_IMPL_SLICES,
-                                     gabor_impl_wave(wave.z / GABOR_RADIUS));
+                                     gabor_impl_wave(wave.z / GABOR_CELLS_PER_RADIUS));
     let columns = gabor_impl_columns(x);
     let first = gabor_impl_line_before(y, vec2f(y.back.x, -y.back.y));
     var slice = gabor_impl_line_before(
-        z, gabor_impl_wave(dot(wave, vec3f(x.offset, y.offset, z.offset + 1.0)) / GABOR_RADIUS));
+        z, gabor_impl_wave(dot(wave, vec3f(x.offset, y.offset, z.offset + 1.0)) / GABOR_CELLS_PER_RADIUS));
     let none = GaborImplFactors(vec3f(0.0), vec3f(0.0));
     let rows = select(0, y.count, wanted); let slices = select(0, z.count, wanted); // see gabor_impl_filtered_wide
     var value = vec2f(0.0); var next_x = vec2f(0.0); var next_y = vec2f(0.0); var next_z = vec2f(0.0);
@@ -108,7 +109,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
         loop {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             var edge = GaborImplFactors(vec3f(0.0), vec3f(0.0)); // unused
-            let sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment, &edge);
+            let sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, &edge);
             let window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -140,7 +141,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
-// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
+// for isotropic noise, otherwise in units of GABOR_CELLS_PER_RADIUS node spacings.
 struct GaborImplPixelAxes {
     major: vec3f,
     minor: vec3f,
@@ -184,9 +185,9 @@ fn gabor_impl_transmitted_3d(wave: vec3f, pixel: GaborImplPixelAxes) -> f32 {
 // Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances
 // yz, zx and xy.
 fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4f>, slopes: ptr<function, vec4f>, x: GaborImplAxis,
-                                 y: GaborImplAxis, z: GaborImplAxis, mixed: vec3f, moment: f32) {
+                                 y: GaborImplAxis, z: GaborImplAxis, mixed: vec3f, evolution: f32) {
     var slice: vec4f; var slope: vec4f;
-    gabor_impl_sum_slice(x, y, z, 0, moment, &slice, &slope);
+    gabor_impl_sum_slice(x, y, z, 0, evolution, &slice, &slope);
     gabor_impl_add_products(sum, slice, z.node[0].xy);
     *slopes += vec4f(gabor_impl_product(slope.xy, z.node[0].xy), gabor_impl_product(slice.xy, z.node[0].zw));
     *sum += vec4f(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[0].zw)
@@ -196,11 +197,12 @@ fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4f>, slopes: ptr<function
 // The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC
 // compiles a loop whose length it does not know much faster than three calls.
 fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3f, pixel: GaborImplMatrix, wanted: bool, salt: u32) -> GaborField3d {
-    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                            GABOR_CELLS_PER_RADIUS);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                            GABOR_RADIUS);
+                            GABOR_CELLS_PER_RADIUS);
     var z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                            GABOR_RADIUS);
+                            GABOR_CELLS_PER_RADIUS);
     let turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     let blurred = gabor_impl_symmetric_3d(pixel, wave);
     var unused = x;
@@ -210,7 +212,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3f, pixel: GaborI
     var sum = vec4f(0.0); var slopes = vec4f(0.0);
     let slices = select(0, 3, wanted);
     for (var k = 0; k < slices; k++) {
-        gabor_impl_add_filtered_slice(&sum, &slopes, x, y, z, pixel.mixed, place.moment);
+        gabor_impl_add_filtered_slice(&sum, &slopes, x, y, z, pixel.mixed, place.evolution);
         z.node[0] = z.node[1];
         z.node[1] = z.node[2];
         z.word[0] = z.word[1];
@@ -221,7 +223,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3f, pixel: GaborI
 
 fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, wave_in: vec3f, seed: u32) -> GaborField3d {
     var wave = wave_in;
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, vec3f(-1.0e6), vec3f(1.0e6)) / stretch;
     let salt = gabor_impl_salt(seed);
     let whole = gabor_impl_pixel(dx, dy, stretch); let resolved = gabor_impl_resolved(whole, 1.0);
@@ -251,7 +253,7 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, norma
     for (var i = select(1, 0, surface.second < 1.0); i < select(1, 2, surface.second > 0.0); i++) {
         let wave = abs(frequency) * select(surface.other, surface.direction, i == 0);
         let power = gabor_impl_takeover(select(surface.second, 1.0 - surface.second, i == 0));
-        gabor_impl_add_field_3d(&sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)),
+        gabor_impl_add_field_3d(&sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_derived_seed(seed, i)),
                                 sqrt(power), vec3f(1.0));
     }
     return sum;
@@ -280,9 +282,9 @@ fn gabor_impl_filtered_node_3d(node: GaborImplNode, variance: f32) -> GaborImplF
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
 // s = 2 pi^2 S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode,
-                                   y: GaborImplFilteredNode, z: GaborImplFilteredNode, wave: vec4f, moment: f32,
+                                   y: GaborImplFilteredNode, z: GaborImplFilteredNode, wave: vec4f, evolution: f32,
                                    pixel: GaborImplMatrix, word: u32) {
-    var a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+    var a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     let middle = vec3f(x.middle, y.middle, z.middle); let cosine = vec3f(x.cosine, y.cosine, z.cosine);
     let sine = vec3f(x.sine, y.sine, z.sine); var s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
     a *= exp(-max(dot(wave.xyz, s), 0.0));
@@ -303,15 +305,15 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImp
 }
 
 fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode,
-                                    y: GaborImplFilteredNode, z: GaborImplFilteredNode, scale: vec3f, moment: f32,
+                                    y: GaborImplFilteredNode, z: GaborImplFilteredNode, scale: vec3f, evolution: f32,
                                     pixel: GaborImplMatrix, tangents: GaborImplTangents, column: u32, row: vec4u) {
     let d = scale * vec3f(x.offset, y.offset, z.offset);
     let star = gabor_impl_star_3d(tangents, d, column * row.w);
     let unit = vec4f(scale, 1.0);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, moment, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, moment, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.first, evolution, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.second, evolution, pixel, column * row.y);
     if (!tangents.only) {
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, moment, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.third, evolution, pixel, column * row.z);
     }
 }
 
@@ -342,7 +344,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborImplPixelAxes, t
 fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, frequency_in: f32,
                                  tangents: GaborImplTangents, seed: u32) -> GaborField3d {
     var frequency = frequency_in;
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     let whole = gabor_impl_pixel(dx, dy, vec3f(1.0)); let resolved = gabor_impl_resolved(whole, 0.5);
     var transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
@@ -355,10 +357,11 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, freq
     let pixel = gabor_impl_covariance(GaborImplPixelAxes(resolved.major * stretch, resolved.minor * stretch));
     let s = pixel.diagonal; let scale = frequency / stretch;
     let salt = gabor_impl_salt(seed);
-    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
+    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                            GABOR_CELLS_PER_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                            GABOR_RADIUS);
+                            GABOR_CELLS_PER_RADIUS);
     let x_0 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 0), s.x);
     let x_1 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 1), s.x);
     let x_2 = gabor_impl_filtered_node_3d(gabor_impl_node(x, 2), s.x);
@@ -367,9 +370,9 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, freq
         let y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
         let z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         let row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_filtered_waves_3d(&sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
-        gabor_impl_add_filtered_waves_3d(&sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
-        gabor_impl_add_filtered_waves_3d(&sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
+        gabor_impl_add_filtered_waves_3d(&sum, x_0, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[0], row);
+        gabor_impl_add_filtered_waves_3d(&sum, x_1, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[1], row);
+        gabor_impl_add_filtered_waves_3d(&sum, x_2, y_j, z_k, scale, place.evolution, pixel, tangents, x.word[2], row);
     }
     amplitude *= inverseSqrt(select(3.0, 2.0, tangents.only) * GABOR_IMPL_ENERGY)
                / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
@@ -390,7 +393,7 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: ve
     for (var i = select(1, 0, aside > 0.25); i < select(1, 2, aside < 0.5); i++) {
         let power = gabor_impl_takeover(select(1.0 - smoothstep(0.25, 0.5, aside), smoothstep(0.25, 0.5, aside), i == 0));
         let field = gabor_impl_isotropic_filtered(place, dx, dy, frequency, gabor_impl_tangents(normal, i),
-                                                  gabor_lobe_seed(seed, i));
+                                                  gabor_derived_seed(seed, i));
         gabor_impl_add_field_3d(&sum, field, sqrt(power), vec3f(1.0));
     }
     return sum;

@@ -84,22 +84,22 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    float3 early;      // colour of the early wood
-    float3 late;       // colour of the late wood
-    float rings;     // growth rings per unit, 2 to 60
-    float waviness;  // how much the rings bend, 0 to 3
-    float pores;     // strength of the pores, 0 to 1
-    float roughness; // roughness of the early wood, 0 to 1
+    float3 earlywood_colour; // colour of the early wood
+    float3 latewood_colour;  // colour of the late wood
+    float rings;           // growth rings per unit, 2 to 60
+    float waviness;        // how much the rings bend, 0 to 3
+    float pore_strength;   // strength of the pores, 0 to 1
+    float roughness;       // roughness of the early wood, 0 to 1
 };
 
-GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, float pores, float roughness)
+GaborWood GaborWood_of(float3 earlywood_colour, float3 latewood_colour, float rings, float waviness, float pore_strength, float roughness)
 {
     GaborWood made;
-    made.early = early;
-    made.late = late;
+    made.earlywood_colour = earlywood_colour;
+    made.latewood_colour = latewood_colour;
     made.rings = rings;
     made.waviness = waviness;
-    made.pores = pores;
+    made.pore_strength = pore_strength;
     made.roughness = roughness;
     return made;
 }
@@ -107,8 +107,8 @@ GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, f
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    float3 warp;        // colour of the threads along y
-    float3 weft;        // colour of the threads along x
+    float3 warp_colour; // colour of the threads along y
+    float3 weft_colour; // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
@@ -117,11 +117,11 @@ struct GaborFabric {
     float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
-GaborFabric GaborFabric_of(float3 warp, float3 weft, float threads, float unevenness, float relief, float roughness, float cords, float weave)
+GaborFabric GaborFabric_of(float3 warp_colour, float3 weft_colour, float threads, float unevenness, float relief, float roughness, float cords, float weave)
 {
     GaborFabric made;
-    made.warp = warp;
-    made.weft = weft;
+    made.warp_colour = warp_colour;
+    made.weft_colour = weft_colour;
     made.threads = threads;
     made.unevenness = unevenness;
     made.relief = relief;
@@ -133,21 +133,21 @@ GaborFabric GaborFabric_of(float3 warp, float3 weft, float threads, float uneven
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    float3 pebble;     // colour of the cells
-    float3 crease;     // colour between the cells
-    float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // how much the rows of cells bend, 0 to 3
-    float relief;    // height of the cells, relative to the default, 0 to 3
-    float roughness; // roughness of the cells, 0 to 0.7
+    float3 pebble_colour; // colour of the cells
+    float3 crease_colour; // colour between the cells
+    float cells;        // cells per unit, 2 to 30
+    float waviness;     // how much the rows of cells bend, 0 to 3
+    float relief;       // height of the cells, relative to the default, 0 to 3
+    float roughness;    // roughness of the cells, 0 to 0.7
 };
 
-GaborLeather GaborLeather_of(float3 pebble, float3 crease, float cells, float wrinkles, float relief, float roughness)
+GaborLeather GaborLeather_of(float3 pebble_colour, float3 crease_colour, float cells, float waviness, float relief, float roughness)
 {
     GaborLeather made;
-    made.pebble = pebble;
-    made.crease = crease;
+    made.pebble_colour = pebble_colour;
+    made.crease_colour = crease_colour;
     made.cells = cells;
-    made.wrinkles = wrinkles;
+    made.waviness = waviness;
     made.relief = relief;
     made.roughness = roughness;
     return made;
@@ -155,93 +155,93 @@ GaborLeather GaborLeather_of(float3 pebble, float3 crease, float cells, float wr
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    float3 stone;       // colour of the stone
-    float3 vein;        // colour of the darkest veins
-    float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // how much the veins bend, 0 to 2
-    float clouds;     // darkening by clouds, 0 to 1
-    float roughness;  // 0 to 1
+    float3 stone_colour;    // colour of the stone
+    float3 vein_colour;     // colour of the darkest veins
+    float vein_strength;  // strength of the veins, 0 to 1.3
+    float turbulence;     // how much the veins bend, 0 to 2
+    float cloud_strength; // darkening by clouds, 0 to 1
+    float roughness;      // 0 to 1
 };
 
-GaborMarble GaborMarble_of(float3 stone, float3 vein, float veins, float turbulence, float clouds, float roughness)
+GaborMarble GaborMarble_of(float3 stone_colour, float3 vein_colour, float vein_strength, float turbulence, float cloud_strength, float roughness)
 {
     GaborMarble made;
-    made.stone = stone;
-    made.vein = vein;
-    made.veins = veins;
+    made.stone_colour = stone_colour;
+    made.vein_colour = vein_colour;
+    made.vein_strength = vein_strength;
     made.turbulence = turbulence;
-    made.clouds = clouds;
+    made.cloud_strength = cloud_strength;
     made.roughness = roughness;
     return made;
 }
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    float3 trough;     // colour of the troughs
-    float3 crest;      // colour of the crests
-    float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units, 0 to 0.2
-    float grain;     // contrast of the grains, 0 to 0.25
-    float roughness; // 0 to 1
+    float3 trough_colour;   // colour of the troughs
+    float3 crest_colour;    // colour of the crests
+    float ripples;        // ripples per unit, 1 to 20
+    float ripple_height;  // height of the ripples, in units, 0 to 0.2
+    float grain_contrast; // contrast of the grains, 0 to 0.25
+    float roughness;      // 0 to 1
 };
 
-GaborSand GaborSand_of(float3 trough, float3 crest, float ripples, float relief, float grain, float roughness)
+GaborSand GaborSand_of(float3 trough_colour, float3 crest_colour, float ripples, float ripple_height, float grain_contrast, float roughness)
 {
     GaborSand made;
-    made.trough = trough;
-    made.crest = crest;
+    made.trough_colour = trough_colour;
+    made.crest_colour = crest_colour;
     made.ripples = ripples;
-    made.relief = relief;
-    made.grain = grain;
+    made.ripple_height = ripple_height;
+    made.grain_contrast = grain_contrast;
     made.roughness = roughness;
     return made;
 }
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    float3 colour;      // colour of the metal
-    float3 patina;      // colour of the patina
-    float streaks;    // number of the widest streaks per unit, 1 to 50
-    float contrast;   // contrast of the streaks, 0 to 0.5
-    float relief;     // height of the widest streaks, in units, 0 to 0.01
-    float roughness;  // roughness of the metal, 0 to 1
-    float weathering; // amount of patina, 0 to 1
+    float3 metal_colour;     // colour of the metal
+    float3 patina_colour;    // colour of the patina
+    float streaks;         // number of the widest streaks per unit, 1 to 50
+    float streak_contrast; // contrast of the streaks, 0 to 0.5
+    float streak_height;   // height of the widest streaks, in units, 0 to 0.01
+    float roughness;       // roughness of the metal, 0 to 1
+    float patina_amount;   // amount of patina, 0 to 1
 };
 
-GaborBrushedMetal GaborBrushedMetal_of(float3 colour, float3 patina, float streaks, float contrast, float relief, float roughness, float weathering)
+GaborBrushedMetal GaborBrushedMetal_of(float3 metal_colour, float3 patina_colour, float streaks, float streak_contrast, float streak_height, float roughness, float patina_amount)
 {
     GaborBrushedMetal made;
-    made.colour = colour;
-    made.patina = patina;
+    made.metal_colour = metal_colour;
+    made.patina_colour = patina_colour;
     made.streaks = streaks;
-    made.contrast = contrast;
-    made.relief = relief;
+    made.streak_contrast = streak_contrast;
+    made.streak_height = streak_height;
     made.roughness = roughness;
-    made.weathering = weathering;
+    made.patina_amount = patina_amount;
     return made;
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    float3 lacquer;    // colour of the lacquer
-    float3 scratch;    // colour in the scratches
-    float amount;    // number of scratches, relative to the default, 0.01 to 8
-    float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
-    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // depth of the scratches, in units, 0 to 0.02
-    float roughness; // 0 to 1
+    float3 lacquer_colour;     // colour of the lacquer
+    float3 scratch_colour;     // colour in the scratches
+    float amount;            // number of scratches, relative to the default, 0.01 to 8
+    float scratch_length;    // length of the scratches, in units, 0.3 to 10
+    float scratch_direction; // mean direction along the scratches, -6.2832 to 6.2832 radians
+    float direction_spread;  // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
+    float depth;             // depth of the scratches, in units, 0 to 0.02
+    float roughness;         // 0 to 1
 };
 
-GaborScratches GaborScratches_of(float3 lacquer, float3 scratch, float amount, float reach, float direction, float spread, float depth, float roughness)
+GaborScratches GaborScratches_of(float3 lacquer_colour, float3 scratch_colour, float amount, float scratch_length, float scratch_direction, float direction_spread, float depth, float roughness)
 {
     GaborScratches made;
-    made.lacquer = lacquer;
-    made.scratch = scratch;
+    made.lacquer_colour = lacquer_colour;
+    made.scratch_colour = scratch_colour;
     made.amount = amount;
-    made.reach = reach;
-    made.direction = direction;
-    made.spread = spread;
+    made.scratch_length = scratch_length;
+    made.scratch_direction = scratch_direction;
+    made.direction_spread = direction_spread;
     made.depth = depth;
     made.roughness = roughness;
     return made;
@@ -249,47 +249,47 @@ GaborScratches GaborScratches_of(float3 lacquer, float3 scratch, float amount, f
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    float3 bright;     // colour between the stripes
-    float3 stripe;     // colour of the stripes
-    float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
-    float hair;      // contrast of the hair, 0 to 3
-    float roughness; // 0 to 1
+    float3 background_colour; // colour between the stripes
+    float3 stripe_colour;     // colour of the stripes
+    float stripes;          // stripes per unit, 0.5 to 20
+    float orientation;      // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    float bend_angle;       // how much the stripes' direction changes, 0 to 1.5708 radians
+    float hair_contrast;    // contrast of the hair, 0 to 3
+    float roughness;        // 0 to 1
 };
 
-GaborZebra GaborZebra_of(float3 bright, float3 stripe, float stripes, float direction, float bends, float hair, float roughness)
+GaborZebra GaborZebra_of(float3 background_colour, float3 stripe_colour, float stripes, float orientation, float bend_angle, float hair_contrast, float roughness)
 {
     GaborZebra made;
-    made.bright = bright;
-    made.stripe = stripe;
+    made.background_colour = background_colour;
+    made.stripe_colour = stripe_colour;
     made.stripes = stripes;
-    made.direction = direction;
-    made.bends = bends;
-    made.hair = hair;
+    made.orientation = orientation;
+    made.bend_angle = bend_angle;
+    made.hair_contrast = hair_contrast;
     made.roughness = roughness;
     return made;
 }
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    float3 plate;      // colour of the plates
-    float3 furrow;     // colour of the furrows
-    float3 moss;       // colour of the moss
-    float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // amount of moss, 0 to 1
-    float depth;     // depth of the furrows, in units, 0 to 0.4
-    float roughness; // 0 to 1
+    float3 plate_colour;  // colour of the plates
+    float3 furrow_colour; // colour of the furrows
+    float3 moss_colour;   // colour of the moss
+    float furrows;      // furrows per unit, 0.5 to 10
+    float moss_amount;  // amount of moss, 0 to 1
+    float depth;        // depth of the furrows, in units, 0 to 0.4
+    float roughness;    // 0 to 1
 };
 
-GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, float cover, float depth, float roughness)
+GaborBark GaborBark_of(float3 plate_colour, float3 furrow_colour, float3 moss_colour, float furrows, float moss_amount, float depth, float roughness)
 {
     GaborBark made;
-    made.plate = plate;
-    made.furrow = furrow;
-    made.moss = moss;
+    made.plate_colour = plate_colour;
+    made.furrow_colour = furrow_colour;
+    made.moss_colour = moss_colour;
     made.furrows = furrows;
-    made.cover = cover;
+    made.moss_amount = moss_amount;
     made.depth = depth;
     made.roughness = roughness;
     return made;
@@ -297,19 +297,19 @@ GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, 
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    float3 colour;     // colour of the fibres
-    float tows;      // tows per unit, 1 to 20
-    float contrast;  // contrast of the fibres, 0 to 0.6
-    float relief;    // height of the tows, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    float3 colour;          // colour of the fibres
+    float tows;           // tows per unit, 1 to 20
+    float fibre_contrast; // contrast of the fibres, 0 to 0.6
+    float relief;         // height of the tows, relative to the default, 0 to 3
+    float roughness;      // 0 to 1
 };
 
-GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float contrast, float relief, float roughness)
+GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float fibre_contrast, float relief, float roughness)
 {
     GaborCarbonFibre made;
     made.colour = colour;
     made.tows = tows;
-    made.contrast = contrast;
+    made.fibre_contrast = fibre_contrast;
     made.relief = relief;
     made.roughness = roughness;
     return made;
@@ -317,25 +317,25 @@ GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float contrast, 
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    float3 rock;       // colour of the darker rock
-    float3 sandstone;  // colour of the lighter rock
-    float3 red;        // colour of the soft layers
-    float3 pale;       // colour of the thin layers
-    float layers;    // layers per unit, 1 to 30
-    float folds;     // how much the layers bend, 0 to 3
-    float relief;    // height of the layers, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    float3 dark_rock_colour;  // colour of the darker rock
+    float3 light_rock_colour; // colour of the lighter rock
+    float3 soft_layer_colour; // colour of the soft layers
+    float3 thin_layer_colour; // colour of the thin layers
+    float layers;           // layers per unit, 1 to 30
+    float folding;          // how much the layers bend, 0 to 3
+    float relief;           // height of the layers, relative to the default, 0 to 3
+    float roughness;        // 0 to 1
 };
 
-GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pale, float layers, float folds, float relief, float roughness)
+GaborStrata GaborStrata_of(float3 dark_rock_colour, float3 light_rock_colour, float3 soft_layer_colour, float3 thin_layer_colour, float layers, float folding, float relief, float roughness)
 {
     GaborStrata made;
-    made.rock = rock;
-    made.sandstone = sandstone;
-    made.red = red;
-    made.pale = pale;
+    made.dark_rock_colour = dark_rock_colour;
+    made.light_rock_colour = light_rock_colour;
+    made.soft_layer_colour = soft_layer_colour;
+    made.thin_layer_colour = thin_layer_colour;
     made.layers = layers;
-    made.folds = folds;
+    made.folding = folding;
     made.relief = relief;
     made.roughness = roughness;
     return made;
@@ -450,7 +450,7 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 stretch = scale * place.radius / GABOR_RADIUS;
+    float2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
@@ -466,7 +466,7 @@ GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitu
     float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
-    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel_of(at.position + amplitude * float2(field.quadrature, field.noise),
@@ -545,13 +545,13 @@ GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, fl
 
 // A layer of frequency 0.
 GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, float2 density, uint seed, int index) {
-    return GaborImplLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_lobe_seed(seed, index));
+    return GaborImplLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
 GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 density, float frequency, float orientation,
                                       uint seed, int index) {
     return GaborImplLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
-                          gabor_lobe_seed(seed, index));
+                          gabor_derived_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -559,7 +559,7 @@ GaborImplLayer gabor_impl_octave(GaborImplPixel at, float2 density, int i, int c
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0),
-                          pow(gain, float(i)) * rsqrt(power), gabor_lobe_seed(seed, i));
+                          pow(gain, float(i)) * rsqrt(power), gabor_derived_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -793,7 +793,7 @@ GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt) {
 
 // The same as gabor_field_filtered with the wave vector 0.
 GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uint seed) {
-    float2 stretch = place.radius / GABOR_RADIUS;
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted((float2)(0.0), footprint.covariance);
     float amplitude = sqrt(kept / gabor_impl_transmitted((float2)(0.0), footprint.resolved));
@@ -971,16 +971,19 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
     float3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     float3 ring = gabor_impl_rise(years, float3(kept, 0.0, 0.0));
-    float3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
+    float3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     float3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
     float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11)
                + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13);
-    float3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
-                + 0.45 * deep.x * wood.late;
+    float3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
+                + 0.45 * deep.x * wood.latewood_colour;
     float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
-    float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    // Mean square.
+    float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05 * (1.0 - kept * kept));
     float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
               + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
@@ -1072,7 +1075,8 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric 
                     + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12);
     float2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09 * uneven)
                     + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12);
-    float3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    float3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
+        weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -1144,8 +1148,10 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, float2 count, GaborC
     float2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
     float unit = fibres.relief / fibres.tows;
-    float3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
-    float3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
+    float3 warp = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
+    float3 weft = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -1190,7 +1196,7 @@ GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fi
 // middle.
 
 GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint seed) {
-    float2 bends = float2(0.07, 0.014) * leather.wrinkles;
+    float2 bends = float2(0.07, 0.014) * leather.waviness;
     GaborImplPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(bends.x), seed, 0);
     return gabor_impl_warp(skin, (float2)(4.0), (float2)(bends.y), seed, 1);
 }
@@ -1198,7 +1204,7 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 // Three octaves of fine grain, the tone, and the first two waves.
 GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(0.8), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
@@ -1258,7 +1264,8 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     share = lerp(0.806, share / float(samples), kept);
     float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
-    float3 colour = lerp(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    float3 colour = lerp(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                      share);
     lost = leather.relief * leather.relief * (lost + lerp(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1287,7 +1294,7 @@ GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint s
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
-    if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
+    if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 9);
     float3 vein = i == 4 ? float3(1.9, 0.95, -0.45) : i == 5 ? float3(0.95, 0.85, 0.65)
               : i == 6 ? float3(4.5, 0.95, 0.95) : float3(13.0, 0.9, 0.2);
@@ -1295,8 +1302,8 @@ GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPix
 }
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
-    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    float3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+    float clouds = marble.cloud_strength * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    float3 colour = gabor_impl_toned(marble.stone_colour * (1.0 - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
@@ -1305,12 +1312,12 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborIm
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     float2 width = i == 4 ? float2(0.25, 0.035) : i == 5 ? float2(0.35, 0.05) : float2(1.0, i == 6 ? 0.04 : 0.05);
-    float2 strength = marble.veins * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));
+    float2 strength = marble.vein_strength * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
     strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
-    float3 halo = lerp(marble.stone, marble.vein, 0.65);
-    float3 core = lerp(marble.stone, marble.vein, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
+    float3 halo = lerp(marble.stone_colour, marble.vein_colour, 0.65);
+    float3 core = lerp(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
     stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
     stone.colour = clamp(stone.colour, 0.0, 1.0);
 }
@@ -1339,7 +1346,7 @@ GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
 
 // Three octaves of large shapes, grains, and ripples.
 GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
-    if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 3);
     return gabor_impl_waves_layer(2, dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
@@ -1349,17 +1356,20 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.pair_2.removed, span = 0.9 * sqrt(power / whole);
     float2 change = z.x * of.pair_2.first.yz + z.y * of.pair_2.second.yz; // half the derivative of the power
     // 0.15915494 is 1/(2 pi)
-    float3 phase = float3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
+    float3 phase = float3(gabor_turns_intensity(z.yx).x,
+                      0.15915494 / power * (z.x * of.pair_2.second.yz - z.y * of.pair_2.first.yz));
     float3 ripple = gabor_impl_rise(phase, span * float3(1.0, (1.0 / power - 1.0 / whole) * change));
-    float2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+    float2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain_contrast)
                + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06);
-    float3 colour = lerp(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    float3 colour = lerp(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                      ripple.x);
     float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9, 0.15).x;
-    colour = lerp(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
-    colour = lerp(colour, lerp(sand.crest, (float3)(1.0), 0.6), 3.0 * sand.grain * bright);
-    float3 tall = float3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.pair_0.first;
-    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first + 0.00875 * sand.grain * of.pair_1.first;
+    colour = lerp(colour, 0.23 * sand.trough_colour, 3.75 * sand.grain_contrast * dark);
+    colour = lerp(colour, lerp(sand.crest_colour, (float3)(1.0), 0.6), 3.0 * sand.grain_contrast * bright);
+    float3 tall = float3(sand.ripple_height, 0.0, 0.0) + 0.2 * sand.ripple_height * of.pair_0.first;
+    float3 height = gabor_impl_times(ripple, tall) + 0.03 * of.pair_0.first
+        + 0.00875 * sand.grain_contrast * of.pair_1.first;
     float2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = float2(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
@@ -1367,7 +1377,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     // 7.65625e-5 is 0.00875^2
     float3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of.pair_1.lost;
+              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
@@ -1387,14 +1397,14 @@ GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) 
 
 // Five sizes of streaks, and six octaves of patina.
 GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
-    if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5));
     float2 density = float2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
 int gabor_impl_metal_layers(GaborBrushedMetal metal) {
-    return metal.weathering > 0.0 ? 11 : 5;
+    return metal.patina_amount > 0.0 ? 11 : 5;
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
@@ -1412,12 +1422,14 @@ void gabor_impl_add_metal(inout GaborImplPairs of, int i, GaborImplLayer layer, 
 
 GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
     float3 colour =
-        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
-    float3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
-    if (metal.weathering <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
-    float threshold = 2.4 - 3.8 * metal.weathering;
+        gabor_impl_toned(metal.metal_colour,
+                         gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.streak_contrast));
+    float3 height = metal.streak_height * of.pair_0.first,
+        lost = metal.streak_height * metal.streak_height * of.pair_0.lost;
+    if (metal.patina_amount <= 0.0) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0);
+    float threshold = 2.4 - 3.8 * metal.patina_amount;
     float3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3);
-    float3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
+    float3 patina = gabor_impl_toned(metal.patina_colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3));
     height += 0.003 * cover + 0.001 * of.pair_1.first;
     lost += 9.0e-6 * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3)
           + 1.0e-6 * of.pair_1.lost;
@@ -1441,13 +1453,16 @@ GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushedMetal 
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, uint seed) {
-    float angle = scratches.direction + scratches.spread * (frac(0.0955 + 0.763932 * float(i)) - 0.5); // 3 - sqrt(5)
+    // 3 - sqrt(5).
+    float angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0 * frac(0.0955 + 0.763932 * float(i)) - 1.0);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1467,7 +1482,8 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
 
 GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     float3 height = scratches.depth * float3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(lerp(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(lerp(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0);
 }
 
@@ -1488,7 +1504,7 @@ GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, uint seed) {
 
 float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, (float2)(0.6));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.orientation + zebra.bend_angle * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1501,15 +1517,16 @@ GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixe
 }
 
 GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
-    float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
+    float ragged = 0.1 * zebra.hair_contrast, relief = 0.002 * zebra.hair_contrast;
     // where it is small, a constant softness would blur the edge
     float intensity = length(float2(of.pair_2.first.x, of.pair_2.second.x));
     float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
                                   of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    float2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair)
+    float2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14 * zebra.hair_contrast)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08);
-    float3 colour = lerp(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    float3 colour = lerp(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                      dark);
     return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
                                0.0);
 }
@@ -1537,7 +1554,7 @@ GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, uint seed) {
 GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, uint seed) {
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
-    if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5));
+    if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
     return gabor_impl_waves_layer(3, trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
@@ -1551,11 +1568,13 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     float3 weighted = of.pair_0.second + float3(0.25 * of.pair_0.removed, 0.0, 0.0);
     float worn = 0.5 * gabor_impl_above(weighted, of.pair_0.removed, 0.5, 0.4).x;
-    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
+    float covered = bark.moss_amount * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9, 0.5).x;
     float2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25);
-    float3 top = lerp(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(lerp(bark.plate, (float3)(1.0), 0.13), tone), worn);
-    float3 moss = gabor_impl_toned(bark.moss, tone);
-    float3 colour = lerp(lerp(gabor_impl_toned(bark.furrow, tone), moss, covered), lerp(top, moss, 0.6 * covered), plate.x);
+    float3 top = lerp(gabor_impl_toned(bark.plate_colour, tone),
+                   gabor_impl_toned(lerp(bark.plate_colour, (float3)(1.0), 0.13), tone), worn);
+    float3 moss = gabor_impl_toned(bark.moss_colour, tone);
+    float3 colour = lerp(lerp(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), lerp(top, moss, 0.6 * covered),
+                      plate.x);
     float3 coarse = float3(0.4, 0.0, 0.0) + 0.6 * plate;
     float3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
@@ -1588,7 +1607,7 @@ GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint seed) 
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint seed) {
-    float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    float4 folds = float4(0.2, 0.016, 0.022, 0.004) * strata.folding;
     GaborImplPixel rock = gabor_impl_warp(pixel, float2(0.35, 0.6), float2(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, float2(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, float2(7.0, 10.0), (float2)(folds.w), seed, 2);
@@ -1598,7 +1617,7 @@ GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, uint se
 GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
                                        uint seed) {
     if (i < 4)
-        return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, float2(16.0, 24.0), i, 4, 0.8, gabor_derived_seed(seed, 7));
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
                  : i == 6 ? float2(0.25, 2.8333333) : float2(0.6, 8.3333333);
@@ -1609,12 +1628,13 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
     float3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
     float2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11);
-    float3 colour = lerp(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+    float3 colour = lerp(gabor_impl_toned(strata.dark_rock_colour, tones),
+                      gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0, 0.5).x);
-    colour = lerp(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
-    colour = lerp(colour, gabor_impl_toned(strata.pale, tones),
+    colour = lerp(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8 * soft.x);
+    colour = lerp(colour, gabor_impl_toned(strata.thin_layer_colour, tones),
                  0.75 * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0, 0.2).x);
-    colour = lerp(colour, gabor_impl_toned(0.75 * strata.red, tones),
+    colour = lerp(colour, gabor_impl_toned(0.75 * strata.soft_layer_colour, tones),
                  0.6 * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3, 0.15).x);
     float3 height = 0.02 * of.pair_1.second - 0.012 * soft + 0.006 * of.pair_3.first + 0.0015 * of.pair_4.first
                 + 0.003 * of.pair_0.second;
@@ -1789,7 +1809,7 @@ GaborBrushedMetal gabor_brushed_metal_default() {
 }
 GaborScratches gabor_scratches_default() {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches_of(float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+    return GaborScratches_of(float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
                           0.3);
 }
 GaborZebra gabor_zebra_default() {

@@ -77,19 +77,19 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    gabor_vec3 early;      // colour of the early wood
-    gabor_vec3 late;       // colour of the late wood
-    float rings;     // growth rings per unit, 2 to 60
-    float waviness;  // how much the rings bend, 0 to 3
-    float pores;     // strength of the pores, 0 to 1
-    float roughness; // roughness of the early wood, 0 to 1
+    gabor_vec3 earlywood_colour; // colour of the early wood
+    gabor_vec3 latewood_colour;  // colour of the late wood
+    float rings;           // growth rings per unit, 2 to 60
+    float waviness;        // how much the rings bend, 0 to 3
+    float pore_strength;   // strength of the pores, 0 to 1
+    float roughness;       // roughness of the early wood, 0 to 1
 };
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    gabor_vec3 warp;        // colour of the threads along y
-    gabor_vec3 weft;        // colour of the threads along x
+    gabor_vec3 warp_colour; // colour of the threads along y
+    gabor_vec3 weft_colour; // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
@@ -100,98 +100,98 @@ struct GaborFabric {
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    gabor_vec3 pebble;     // colour of the cells
-    gabor_vec3 crease;     // colour between the cells
-    float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // how much the rows of cells bend, 0 to 3
-    float relief;    // height of the cells, relative to the default, 0 to 3
-    float roughness; // roughness of the cells, 0 to 0.7
+    gabor_vec3 pebble_colour; // colour of the cells
+    gabor_vec3 crease_colour; // colour between the cells
+    float cells;        // cells per unit, 2 to 30
+    float waviness;     // how much the rows of cells bend, 0 to 3
+    float relief;       // height of the cells, relative to the default, 0 to 3
+    float roughness;    // roughness of the cells, 0 to 0.7
 };
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    gabor_vec3 stone;       // colour of the stone
-    gabor_vec3 vein;        // colour of the darkest veins
-    float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // how much the veins bend, 0 to 2
-    float clouds;     // darkening by clouds, 0 to 1
-    float roughness;  // 0 to 1
+    gabor_vec3 stone_colour;    // colour of the stone
+    gabor_vec3 vein_colour;     // colour of the darkest veins
+    float vein_strength;  // strength of the veins, 0 to 1.3
+    float turbulence;     // how much the veins bend, 0 to 2
+    float cloud_strength; // darkening by clouds, 0 to 1
+    float roughness;      // 0 to 1
 };
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    gabor_vec3 trough;     // colour of the troughs
-    gabor_vec3 crest;      // colour of the crests
-    float ripples;   // ripples per unit, 1 to 20
-    float relief;    // height of the ripples, in units, 0 to 0.2
-    float grain;     // contrast of the grains, 0 to 0.25
-    float roughness; // 0 to 1
+    gabor_vec3 trough_colour;   // colour of the troughs
+    gabor_vec3 crest_colour;    // colour of the crests
+    float ripples;        // ripples per unit, 1 to 20
+    float ripple_height;  // height of the ripples, in units, 0 to 0.2
+    float grain_contrast; // contrast of the grains, 0 to 0.25
+    float roughness;      // 0 to 1
 };
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    gabor_vec3 colour;      // colour of the metal
-    gabor_vec3 patina;      // colour of the patina
-    float streaks;    // number of the widest streaks per unit, 1 to 50
-    float contrast;   // contrast of the streaks, 0 to 0.5
-    float relief;     // height of the widest streaks, in units, 0 to 0.01
-    float roughness;  // roughness of the metal, 0 to 1
-    float weathering; // amount of patina, 0 to 1
+    gabor_vec3 metal_colour;     // colour of the metal
+    gabor_vec3 patina_colour;    // colour of the patina
+    float streaks;         // number of the widest streaks per unit, 1 to 50
+    float streak_contrast; // contrast of the streaks, 0 to 0.5
+    float streak_height;   // height of the widest streaks, in units, 0 to 0.01
+    float roughness;       // roughness of the metal, 0 to 1
+    float patina_amount;   // amount of patina, 0 to 1
 };
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    gabor_vec3 lacquer;    // colour of the lacquer
-    gabor_vec3 scratch;    // colour in the scratches
-    float amount;    // number of scratches, relative to the default, 0.01 to 8
-    float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
-    float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // depth of the scratches, in units, 0 to 0.02
-    float roughness; // 0 to 1
+    gabor_vec3 lacquer_colour;     // colour of the lacquer
+    gabor_vec3 scratch_colour;     // colour in the scratches
+    float amount;            // number of scratches, relative to the default, 0.01 to 8
+    float scratch_length;    // length of the scratches, in units, 0.3 to 10
+    float scratch_direction; // mean direction along the scratches, -6.2832 to 6.2832 radians
+    float direction_spread;  // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
+    float depth;             // depth of the scratches, in units, 0 to 0.02
+    float roughness;         // 0 to 1
 };
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    gabor_vec3 bright;     // colour between the stripes
-    gabor_vec3 stripe;     // colour of the stripes
-    float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
-    float hair;      // contrast of the hair, 0 to 3
-    float roughness; // 0 to 1
+    gabor_vec3 background_colour; // colour between the stripes
+    gabor_vec3 stripe_colour;     // colour of the stripes
+    float stripes;          // stripes per unit, 0.5 to 20
+    float orientation;      // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    float bend_angle;       // how much the stripes' direction changes, 0 to 1.5708 radians
+    float hair_contrast;    // contrast of the hair, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    gabor_vec3 plate;      // colour of the plates
-    gabor_vec3 furrow;     // colour of the furrows
-    gabor_vec3 moss;       // colour of the moss
-    float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // amount of moss, 0 to 1
-    float depth;     // depth of the furrows, in units, 0 to 0.4
-    float roughness; // 0 to 1
+    gabor_vec3 plate_colour;  // colour of the plates
+    gabor_vec3 furrow_colour; // colour of the furrows
+    gabor_vec3 moss_colour;   // colour of the moss
+    float furrows;      // furrows per unit, 0.5 to 10
+    float moss_amount;  // amount of moss, 0 to 1
+    float depth;        // depth of the furrows, in units, 0 to 0.4
+    float roughness;    // 0 to 1
 };
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    gabor_vec3 colour;     // colour of the fibres
-    float tows;      // tows per unit, 1 to 20
-    float contrast;  // contrast of the fibres, 0 to 0.6
-    float relief;    // height of the tows, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    gabor_vec3 colour;          // colour of the fibres
+    float tows;           // tows per unit, 1 to 20
+    float fibre_contrast; // contrast of the fibres, 0 to 0.6
+    float relief;         // height of the tows, relative to the default, 0 to 3
+    float roughness;      // 0 to 1
 };
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    gabor_vec3 rock;       // colour of the darker rock
-    gabor_vec3 sandstone;  // colour of the lighter rock
-    gabor_vec3 red;        // colour of the soft layers
-    gabor_vec3 pale;       // colour of the thin layers
-    float layers;    // layers per unit, 1 to 30
-    float folds;     // how much the layers bend, 0 to 3
-    float relief;    // height of the layers, relative to the default, 0 to 3
-    float roughness; // 0 to 1
+    gabor_vec3 dark_rock_colour;  // colour of the darker rock
+    gabor_vec3 light_rock_colour; // colour of the lighter rock
+    gabor_vec3 soft_layer_colour; // colour of the soft layers
+    gabor_vec3 thin_layer_colour; // colour of the thin layers
+    float layers;           // layers per unit, 1 to 30
+    float folding;          // how much the layers bend, 0 to 3
+    float relief;           // height of the layers, relative to the default, 0 to 3
+    float roughness;        // 0 to 1
 };
 
 // ====================================================================================================================
@@ -291,7 +291,7 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
     gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    gabor_vec2 stretch = scale * place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
@@ -307,7 +307,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 densit
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
     amplitude /= 1.0f + 0.82246703f * size; // pi^2 / 12
-    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel{at.position + amplitude * gabor_vec2(field.quadrature, field.noise),
@@ -374,13 +374,13 @@ struct GaborImplLayer {
 
 // A layer of frequency 0.
 GABOR_INLINE GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
-    return GaborImplLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
+    return GaborImplLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_derived_seed(seed, index)};
 }
 
 GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, gabor_vec2 density, float frequency, float orientation,
                                       std::uint32_t seed, int index) {
     return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f,
-                          gabor_lobe_seed(seed, index)};
+                          gabor_derived_seed(seed, index)};
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -388,7 +388,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_octave(GaborImplPixel at, gabor_vec2 dens
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
-                          gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_lobe_seed(seed, i)};
+                          gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_derived_seed(seed, i)};
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -573,7 +573,7 @@ GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, 
 
 // The same as gabor_field_filtered with the wave vector 0.
 GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(gabor_vec2(0.0f), footprint.covariance);
     float amplitude = gabor_cpp_sqrt(kept / gabor_impl_transmitted(gabor_vec2(0.0f), footprint.resolved));
@@ -751,16 +751,19 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood,
     gabor_vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97f * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     gabor_vec3 ring = gabor_impl_rise(years, gabor_vec3(kept, 0.0f, 0.0f));
-    gabor_vec3 pores = wood.pores * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1f, 0.25f);
+    gabor_vec3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1f, 0.25f);
     gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
     gabor_vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
     gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.11f)
                + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.13f);
-    gabor_vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
-                + 0.45f * deep.x * wood.late;
+    gabor_vec3 colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
+                + 0.45f * deep.x * wood.latewood_colour;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.pair_1.second;
-    float depth = 5.76e-6f * wood.pores * wood.pores * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
+    // Mean square.
+    float depth = 5.76e-6f * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05f * (1.0f - kept * kept));
     gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz())
               + 4.0e-8f * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1f, 0.25f);
@@ -852,7 +855,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
                     + gabor_impl_tone(of.pair_2.second.x, of.pair_2.removed, 0.12f);
     gabor_vec2 weft_tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.09f * uneven)
                     + gabor_impl_tone(of.pair_3.second.x, of.pair_3.removed, 0.12f);
-    gabor_vec3 warp = gabor_impl_toned(fabric.warp, warp_tones), weft = gabor_impl_toned(fabric.weft, weft_tones);
+    gabor_vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
+        weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -924,8 +928,10 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
     gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
     float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
     float unit = fibres.relief / fibres.tows;
-    gabor_vec3 warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.contrast));
-    gabor_vec3 weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.contrast));
+    gabor_vec3 warp = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
+    gabor_vec3 weft = gabor_impl_toned(fibres.colour,
+                                 gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
     int samples = gabor_impl_samples(spread);
     for (int i = 0; i < samples; ++i) {
@@ -970,7 +976,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period
 // middle.
 
 GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, std::uint32_t seed) {
-    gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
+    gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.waviness;
     GaborImplPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
     return gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
 }
@@ -978,7 +984,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather l
 // Three octaves of fine grain, the tone, and the first two waves.
 GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
@@ -1038,7 +1044,8 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
     gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14f)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                      share);
     lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
@@ -1067,7 +1074,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble m
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GABOR_INLINE GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_lobe_seed(seed, 8));
+    if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_derived_seed(seed, 8));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 9);
     gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
               : i == 6 ? gabor_vec3(4.5f, 0.95f, 0.95f) : gabor_vec3(13.0f, 0.9f, 0.2f);
@@ -1075,8 +1082,8 @@ GABOR_INLINE GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel,
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
-    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f).x;
-    gabor_vec3 colour = gabor_impl_toned(marble.stone * (1.0f - clouds),
+    float clouds = marble.cloud_strength * gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f).x;
+    gabor_vec3 colour = gabor_impl_toned(marble.stone_colour * (1.0f - clouds),
                                    gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f));
     return gabor_impl_material(colour, 0.00012f * crystal.second, 1.44e-8f * crystal.lost, marble.roughness, 0.0f);
 }
@@ -1085,12 +1092,12 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair c
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborImplPair vein) {
     gabor_vec2 width = i == 4 ? gabor_vec2(0.25f, 0.035f) : i == 5 ? gabor_vec2(0.35f, 0.05f) : gabor_vec2(1.0f, i == 6 ? 0.04f : 0.05f);
-    gabor_vec2 strength = marble.veins * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));
+    gabor_vec2 strength = marble.vein_strength * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));
     float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5f : i == 5 ? -0.4f : i == 6 ? 0.8f : 1.1f, 0.5f).x;
     strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
-    gabor_vec3 halo = gabor_cpp_mix(marble.stone, marble.vein, 0.65f);
-    gabor_vec3 core = gabor_cpp_mix(marble.stone, marble.vein, i == 4 ? 0.9f : i == 5 ? 1.0f : i == 6 ? 0.65f : 0.45f);
+    gabor_vec3 halo = gabor_cpp_mix(marble.stone_colour, marble.vein_colour, 0.65f);
+    gabor_vec3 core = gabor_cpp_mix(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9f : i == 5 ? 1.0f : i == 6 ? 0.65f : 0.45f);
     stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
     stone.colour = gabor_cpp_clamp(stone.colour, 0.0f, 1.0f);
 }
@@ -1119,7 +1126,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, std::uint32_t 
 
 // Three octaves of large shapes, grains, and ripples.
 GABOR_INLINE GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, std::uint32_t seed) {
-    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
+    if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_derived_seed(seed, 4));
     if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 3);
     return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
 }
@@ -1129,17 +1136,20 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripple
     float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.pair_2.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
     gabor_vec2 change = z.x * of.pair_2.first.yz() + z.y * of.pair_2.second.yz(); // half the derivative of the power
     // 0.15915494 is 1/(2 pi)
-    gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.pair_2.second.yz() - z.y * of.pair_2.first.yz()));
+    gabor_vec3 phase = gabor_vec3(gabor_turns_intensity(z.yx()).x,
+                      0.15915494f / power * (z.x * of.pair_2.second.yz() - z.y * of.pair_2.first.yz()));
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
-    gabor_vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain)
+    gabor_vec2 tones = gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, sand.grain_contrast)
                + gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.06f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                      ripple.x);
     float dark = gabor_impl_above(of.pair_1.second, of.pair_1.removed, 1.9f, 0.15f).x;
     float bright = gabor_impl_above(-of.pair_1.second, of.pair_1.removed, 1.9f, 0.15f).x;
-    colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * dark);
-    colour = gabor_cpp_mix(colour, gabor_cpp_mix(sand.crest, gabor_vec3(1.0f), 0.6f), 3.0f * sand.grain * bright);
-    gabor_vec3 tall = gabor_vec3(sand.relief, 0.0f, 0.0f) + 0.2f * sand.relief * of.pair_0.first;
-    gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.pair_0.first + 0.00875f * sand.grain * of.pair_1.first;
+    colour = gabor_cpp_mix(colour, 0.23f * sand.trough_colour, 3.75f * sand.grain_contrast * dark);
+    colour = gabor_cpp_mix(colour, gabor_cpp_mix(sand.crest_colour, gabor_vec3(1.0f), 0.6f), 3.0f * sand.grain_contrast * bright);
+    gabor_vec3 tall = gabor_vec3(sand.ripple_height, 0.0f, 0.0f) + 0.2f * sand.ripple_height * of.pair_0.first;
+    gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.pair_0.first
+        + 0.00875f * sand.grain_contrast * of.pair_1.first;
     gabor_vec2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.by_x), gabor_cpp_dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
@@ -1147,7 +1157,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripple
     gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     // 7.65625e-5 is 0.00875^2
     gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
-              + 0.0009f * of.pair_0.lost + 7.65625e-5f * sand.grain * sand.grain * of.pair_1.lost;
+              + 0.0009f * of.pair_0.lost + 7.65625e-5f * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
 }
 
@@ -1167,14 +1177,14 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
 
 // Five sizes of streaks, and six octaves of patina.
 GABOR_INLINE GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
-    if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_lobe_seed(seed, 5));
+    if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_derived_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
 GABOR_INLINE int gabor_impl_metal_layers(GaborBrushedMetal metal) {
-    return metal.weathering > 0.0f ? 11 : 5;
+    return metal.patina_amount > 0.0f ? 11 : 5;
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
@@ -1192,12 +1202,14 @@ GABOR_INLINE void gabor_impl_add_metal(GaborImplPairs& of, int i, GaborImplLayer
 
 GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs of) {
     gabor_vec3 colour =
-        gabor_impl_toned(metal.colour, gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.contrast));
-    gabor_vec3 height = metal.relief * of.pair_0.first, lost = metal.relief * metal.relief * of.pair_0.lost;
-    if (metal.weathering <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
-    float threshold = 2.4f - 3.8f * metal.weathering;
+        gabor_impl_toned(metal.metal_colour,
+                         gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, metal.streak_contrast));
+    gabor_vec3 height = metal.streak_height * of.pair_0.first,
+        lost = metal.streak_height * metal.streak_height * of.pair_0.lost;
+    if (metal.patina_amount <= 0.0f) return gabor_impl_material(colour, height, lost, metal.roughness, 1.0f);
+    float threshold = 2.4f - 3.8f * metal.patina_amount;
     gabor_vec3 cover = gabor_impl_above(of.pair_1.second, of.pair_1.removed, threshold, 0.3f);
-    gabor_vec3 patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3f));
+    gabor_vec3 patina = gabor_impl_toned(metal.patina_colour, gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, 0.3f));
     height += 0.003f * cover + 0.001f * of.pair_1.first;
     lost += 9.0e-6f * gabor_impl_above_lost(of.pair_1.second, of.pair_1.removed, of.pair_1.lost, threshold, 0.3f)
           + 1.0e-6f * of.pair_1.lost;
@@ -1221,13 +1233,16 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 perio
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScratches scratches, std::uint32_t seed) {
-    float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f); // 3 - sqrt(5)
+    // 3 - sqrt(5).
+    float angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0f * gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 1.0f);
     GaborImplPixel at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1247,7 +1262,8 @@ GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches sc
 
 GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
     gabor_vec3 height = scratches.depth * gabor_vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(gabor_cpp_mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(gabor_cpp_mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0f);
 }
 
@@ -1268,7 +1284,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_hide(GaborImplPixel pixel, std::uint32_t 
 
 GABOR_INLINE float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.orientation + zebra.bend_angle * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1281,15 +1297,16 @@ GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, 
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
-    float ragged = 0.1f * zebra.hair, relief = 0.002f * zebra.hair;
+    float ragged = 0.1f * zebra.hair_contrast, relief = 0.002f * zebra.hair_contrast;
     // where it is small, a constant softness would blur the edge
     float intensity = gabor_cpp_length(gabor_vec2(of.pair_2.first.x, of.pair_2.second.x));
     float dark = gabor_impl_above(of.pair_2.first + ragged * intensity * of.pair_0.first,
                                   of.pair_2.removed + ragged * ragged * intensity * intensity * of.pair_0.removed, 0.0f,
                                   0.01f + 0.09f * intensity).x;
-    gabor_vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14f * zebra.hair)
+    gabor_vec2 tones = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.14f * zebra.hair_contrast)
                + gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.08f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                      dark);
     return gabor_impl_material(colour, relief * of.pair_0.first, relief * relief * of.pair_0.lost, zebra.roughness,
                                0.0f);
 }
@@ -1317,7 +1334,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_trunk(GaborImplPixel pixel, std::uint32_t
 GABOR_INLINE GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel trunk, GaborBark bark, std::uint32_t seed) {
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
-    if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_lobe_seed(seed, 5));
+    if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_derived_seed(seed, 5));
     if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
     if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
     return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
@@ -1331,11 +1348,13 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     gabor_vec3 weighted = of.pair_0.second + gabor_vec3(0.25f * of.pair_0.removed, 0.0f, 0.0f);
     float worn = 0.5f * gabor_impl_above(weighted, of.pair_0.removed, 0.5f, 0.4f).x;
-    float covered = bark.cover * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9f, 0.5f).x;
+    float covered = bark.moss_amount * gabor_impl_above(of.pair_1.second, of.pair_1.removed, 0.9f, 0.5f).x;
     gabor_vec2 tone = gabor_impl_tone(of.pair_0.second.x, of.pair_0.removed, 0.25f);
-    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), tone), worn);
-    gabor_vec3 moss = gabor_impl_toned(bark.moss, tone);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
+    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate_colour, tone),
+                   gabor_impl_toned(gabor_cpp_mix(bark.plate_colour, gabor_vec3(1.0f), 0.13f), tone), worn);
+    gabor_vec3 moss = gabor_impl_toned(bark.moss_colour, tone);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered),
+                      plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
@@ -1368,7 +1387,7 @@ GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborB
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 GABOR_INLINE GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata strata, std::uint32_t seed) {
-    gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds;
+    gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folding;
     GaborImplPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), folds.yz(), seed, 1);
     return gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), seed, 2);
@@ -1378,7 +1397,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_rock(GaborImplPixel pixel, GaborStrata st
 GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPixel rock, GaborStrata strata,
                                        std::uint32_t seed) {
     if (i < 4)
-        return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_derived_seed(seed, 7));
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
                  : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
@@ -1389,12 +1408,13 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs 
     gabor_vec3 soft = gabor_impl_above(of.pair_2.first, of.pair_2.removed, 0.5f, 0.22f); // the soft layers, which erode
     gabor_vec2 tones = gabor_impl_tone(of.pair_4.first.x, of.pair_4.removed, 0.13f)
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.11f);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.dark_rock_colour, tones),
+                      gabor_impl_toned(strata.light_rock_colour, tones),
                       gabor_impl_above(of.pair_1.first, of.pair_1.removed, 0.0f, 0.5f).x);
-    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.red, tones), 0.8f * soft.x);
-    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.pale, tones),
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8f * soft.x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),
                  0.75f * gabor_impl_above(of.pair_3.first, of.pair_3.removed, 1.0f, 0.2f).x);
-    colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.red, tones),
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.soft_layer_colour, tones),
                  0.6f * gabor_impl_above(of.pair_3.second, of.pair_3.removed, 1.3f, 0.15f).x);
     gabor_vec3 height = 0.02f * of.pair_1.second - 0.012f * soft + 0.006f * of.pair_3.first + 0.0015f * of.pair_4.first
                 + 0.003f * of.pair_0.second;
@@ -1569,7 +1589,7 @@ GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
 }
 GABOR_INLINE GaborScratches gabor_scratches_default() {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 3.1415927f, 0.0025f,
+    return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 1.5707964f, 0.0025f,
                           0.3f};
 }
 GABOR_INLINE GaborZebra gabor_zebra_default() {

@@ -56,121 +56,121 @@ struct GaborMaterial {
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
-    early: vec3f,   // colour of the early wood
-    late: vec3f,    // colour of the late wood
-    rings: f32,     // growth rings per unit, 2 to 60
-    waviness: f32,  // how much the rings bend, 0 to 3
-    pores: f32,     // strength of the pores, 0 to 1
-    roughness: f32, // roughness of the early wood, 0 to 1
+    earlywood_colour: vec3f, // colour of the early wood
+    latewood_colour: vec3f,  // colour of the late wood
+    rings: f32,              // growth rings per unit, 2 to 60
+    waviness: f32,           // how much the rings bend, 0 to 3
+    pore_strength: f32,      // strength of the pores, 0 to 1
+    roughness: f32,          // roughness of the early wood, 0 to 1
 }
 
 // Linen, a plain weave of uneven threads; twill or herringbone; or corduroy, whose cords run along y [5 noises; period
 // 3 x 3].
 struct GaborFabric {
-    warp: vec3f,     // colour of the threads along y
-    weft: vec3f,     // colour of the threads along x
-    threads: f32,    // threads per unit, 2 to 60
-    unevenness: f32, // unevenness of the threads' thickness, shade and course, 0 to 2
-    relief: f32,     // height of the weave and of the cords, relative to the default, 0 to 3
-    roughness: f32,  // 0 to 1
-    cords: f32,      // cords per unit, 0 to 20
-    weave: f32,      // plain weave 0, twill 1, herringbone 2, 0 to 2
+    warp_colour: vec3f, // colour of the threads along y
+    weft_colour: vec3f, // colour of the threads along x
+    threads: f32,       // threads per unit, 2 to 60
+    unevenness: f32,    // unevenness of the threads' thickness, shade and course, 0 to 2
+    relief: f32,        // height of the weave and of the cords, relative to the default, 0 to 3
+    roughness: f32,     // 0 to 1
+    cords: f32,         // cords per unit, 0 to 20
+    weave: f32,         // plain weave 0, twill 1, herringbone 2, 0 to 2
 }
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
-    pebble: vec3f,  // colour of the cells
-    crease: vec3f,  // colour between the cells
-    cells: f32,     // cells per unit, 2 to 30
-    wrinkles: f32,  // how much the rows of cells bend, 0 to 3
-    relief: f32,    // height of the cells, relative to the default, 0 to 3
-    roughness: f32, // roughness of the cells, 0 to 0.7
+    pebble_colour: vec3f, // colour of the cells
+    crease_colour: vec3f, // colour between the cells
+    cells: f32,           // cells per unit, 2 to 30
+    waviness: f32,        // how much the rows of cells bend, 0 to 3
+    relief: f32,          // height of the cells, relative to the default, 0 to 3
+    roughness: f32,       // roughness of the cells, 0 to 0.7
 }
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
-    stone: vec3f,    // colour of the stone
-    vein: vec3f,     // colour of the darkest veins
-    veins: f32,      // strength of the veins, 0 to 1.3
-    turbulence: f32, // how much the veins bend, 0 to 2
-    clouds: f32,     // darkening by clouds, 0 to 1
-    roughness: f32,  // 0 to 1
+    stone_colour: vec3f, // colour of the stone
+    vein_colour: vec3f,  // colour of the darkest veins
+    vein_strength: f32,  // strength of the veins, 0 to 1.3
+    turbulence: f32,     // how much the veins bend, 0 to 2
+    cloud_strength: f32, // darkening by clouds, 0 to 1
+    roughness: f32,      // 0 to 1
 }
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    trough: vec3f,  // colour of the troughs
-    crest: vec3f,   // colour of the crests
-    ripples: f32,   // ripples per unit, 1 to 20
-    relief: f32,    // height of the ripples, in units, 0 to 0.2
-    grain: f32,     // contrast of the grains, 0 to 0.25
-    roughness: f32, // 0 to 1
+    trough_colour: vec3f, // colour of the troughs
+    crest_colour: vec3f,  // colour of the crests
+    ripples: f32,         // ripples per unit, 1 to 20
+    ripple_height: f32,   // height of the ripples, in units, 0 to 0.2
+    grain_contrast: f32,  // contrast of the grains, 0 to 0.25
+    roughness: f32,       // 0 to 1
 }
 
 // Streaks along x, and patina [5 noises, 11 with patina; period 5 x 1].
 struct GaborBrushedMetal {
-    colour: vec3f,   // colour of the metal
-    patina: vec3f,   // colour of the patina
-    streaks: f32,    // number of the widest streaks per unit, 1 to 50
-    contrast: f32,   // contrast of the streaks, 0 to 0.5
-    relief: f32,     // height of the widest streaks, in units, 0 to 0.01
-    roughness: f32,  // roughness of the metal, 0 to 1
-    weathering: f32, // amount of patina, 0 to 1
+    metal_colour: vec3f,  // colour of the metal
+    patina_colour: vec3f, // colour of the patina
+    streaks: f32,         // number of the widest streaks per unit, 1 to 50
+    streak_contrast: f32, // contrast of the streaks, 0 to 0.5
+    streak_height: f32,   // height of the widest streaks, in units, 0 to 0.01
+    roughness: f32,       // roughness of the metal, 0 to 1
+    patina_amount: f32,   // amount of patina, 0 to 1
 }
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
-    lacquer: vec3f, // colour of the lacquer
-    scratch: vec3f, // colour in the scratches
-    amount: f32,    // number of scratches, relative to the default, 0.01 to 8
-    reach: f32,     // length of the scratches, in units, 0.3 to 10
-    direction: f32, // mean direction of the scratches, -6.2832 to 6.2832 radians
-    spread: f32,    // range of the scratches' directions, 0 to 3.1416 radians
-    depth: f32,     // depth of the scratches, in units, 0 to 0.02
-    roughness: f32, // 0 to 1
+    lacquer_colour: vec3f,  // colour of the lacquer
+    scratch_colour: vec3f,  // colour in the scratches
+    amount: f32,            // number of scratches, relative to the default, 0.01 to 8
+    scratch_length: f32,    // length of the scratches, in units, 0.3 to 10
+    scratch_direction: f32, // mean direction along the scratches, -6.2832 to 6.2832 radians
+    direction_spread: f32,  // half-width of the range of their directions, 0 to 1.5708 radians: pi/2 for all
+    depth: f32,             // depth of the scratches, in units, 0 to 0.02
+    roughness: f32,         // 0 to 1
 }
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
-    bright: vec3f,  // colour between the stripes
-    stripe: vec3f,  // colour of the stripes
-    stripes: f32,   // stripes per unit, 0.5 to 20
-    direction: f32, // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
-    bends: f32,     // how much the stripes' direction changes, 0 to 1.5708 radians
-    hair: f32,      // contrast of the hair, 0 to 3
-    roughness: f32, // 0 to 1
+    background_colour: vec3f, // colour between the stripes
+    stripe_colour: vec3f,     // colour of the stripes
+    stripes: f32,             // stripes per unit, 0.5 to 20
+    orientation: f32,         // direction across the stripes, as that of a wave vector, -6.2832 to 6.2832 radians
+    bend_angle: f32,          // how much the stripes' direction changes, 0 to 1.5708 radians
+    hair_contrast: f32,       // contrast of the hair, 0 to 3
+    roughness: f32,           // 0 to 1
 }
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
-    plate: vec3f,   // colour of the plates
-    furrow: vec3f,  // colour of the furrows
-    moss: vec3f,    // colour of the moss
-    furrows: f32,   // furrows per unit, 0.5 to 10
-    cover: f32,     // amount of moss, 0 to 1
-    depth: f32,     // depth of the furrows, in units, 0 to 0.4
-    roughness: f32, // 0 to 1
+    plate_colour: vec3f,  // colour of the plates
+    furrow_colour: vec3f, // colour of the furrows
+    moss_colour: vec3f,   // colour of the moss
+    furrows: f32,         // furrows per unit, 0.5 to 10
+    moss_amount: f32,     // amount of moss, 0 to 1
+    depth: f32,           // depth of the furrows, in units, 0 to 0.4
+    roughness: f32,       // 0 to 1
 }
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
-    colour: vec3f,  // colour of the fibres
-    tows: f32,      // tows per unit, 1 to 20
-    contrast: f32,  // contrast of the fibres, 0 to 0.6
-    relief: f32,    // height of the tows, relative to the default, 0 to 3
-    roughness: f32, // 0 to 1
+    colour: vec3f,       // colour of the fibres
+    tows: f32,           // tows per unit, 1 to 20
+    fibre_contrast: f32, // contrast of the fibres, 0 to 0.6
+    relief: f32,         // height of the tows, relative to the default, 0 to 3
+    roughness: f32,      // 0 to 1
 }
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
-    rock: vec3f,      // colour of the darker rock
-    sandstone: vec3f, // colour of the lighter rock
-    red: vec3f,       // colour of the soft layers
-    pale: vec3f,      // colour of the thin layers
-    layers: f32,      // layers per unit, 1 to 30
-    folds: f32,       // how much the layers bend, 0 to 3
-    relief: f32,      // height of the layers, relative to the default, 0 to 3
-    roughness: f32,   // 0 to 1
+    dark_rock_colour: vec3f,  // colour of the darker rock
+    light_rock_colour: vec3f, // colour of the lighter rock
+    soft_layer_colour: vec3f, // colour of the soft layers
+    thin_layer_colour: vec3f, // colour of the thin layers
+    layers: f32,              // layers per unit, 1 to 30
+    folding: f32,             // how much the layers bend, 0 to 3
+    relief: f32,              // height of the layers, relative to the default, 0 to 3
+    roughness: f32,           // 0 to 1
 }
 
 // ====================================================================================================================
@@ -272,7 +272,7 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     gabor_impl_add_spots(&value, &slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_spots(&value, &slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
     let scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    let stretch = scale * place.radius / GABOR_RADIUS;
+    let stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
@@ -289,7 +289,7 @@ fn gabor_impl_warp(at: GaborImplPixel, density: vec2f, amplitude_in: vec2f, seed
     let steps = gabor_impl_radii(at, density);
     let size = min(dot(steps, steps), 1.0e6); let bend = 1.0 / (1.0 + 64.0 * size);
     amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
-    let field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    let field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     let along_x = amplitude * density.x * vec2f(field.quadrature_gradient.x, field.gradient.x);
     let along_y = amplitude * density.y * vec2f(field.quadrature_gradient.y, field.gradient.y);
     return GaborImplPixel(at.position + amplitude * vec2f(field.quadrature, field.noise),
@@ -358,13 +358,13 @@ struct GaborImplLayer {
 
 // A layer of frequency 0.
 fn gabor_impl_spots_layer(slot: i32, at: GaborImplPixel, density: vec2f, seed: u32, index: i32) -> GaborImplLayer {
-    return GaborImplLayer(slot, at, density, vec2f(0.0), 1.0, gabor_lobe_seed(seed, index));
+    return GaborImplLayer(slot, at, density, vec2f(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
 fn gabor_impl_waves_layer(slot: i32, at: GaborImplPixel, density: vec2f, frequency: f32, orientation: f32, seed: u32,
                           index: i32) -> GaborImplLayer {
     return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
-                          gabor_lobe_seed(seed, index));
+                          gabor_derived_seed(seed, index));
 }
 
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
@@ -372,7 +372,7 @@ fn gabor_impl_octave(at: GaborImplPixel, density: vec2f, i: i32, count: i32, gai
     let power = (1.0 - pow(gain, 2.0 * f32(count))) / (1.0 - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
     return GaborImplLayer(0, at, density * exp2(1.0214797 * f32(i)), vec2f(0.0),
-                          pow(gain, f32(i)) * inverseSqrt(power), gabor_lobe_seed(seed, i));
+                          pow(gain, f32(i)) * inverseSqrt(power), gabor_derived_seed(seed, i));
 }
 
 // Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
@@ -558,7 +558,7 @@ fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3f, salt: u32) -> GaborField
 
 // The same as gabor_field_filtered with the wave vector 0.
 fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, seed: u32) -> GaborField {
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     let footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
     let wide = gabor_impl_wide_share(footprint); let kept = gabor_impl_transmitted(vec2f(0.0), footprint.covariance);
     let amplitude = sqrt(kept / gabor_impl_transmitted(vec2f(0.0), footprint.resolved));
@@ -741,16 +741,19 @@ fn gabor_impl_wood(board_in: GaborImplPixel, wood: GaborWood, of_: GaborImplPair
     let years = rings * gabor_impl_along_x(board); // the number of rings up to here
     let kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
     let ring = gabor_impl_rise(years, vec3f(kept, 0.0, 0.0));
-    let pores = wood.pores * gabor_impl_above(of_.pair_0.second, of_.pair_0.removed, 1.1, 0.25);
+    let pores = wood.pore_strength * gabor_impl_above(of_.pair_0.second, of_.pair_0.removed, 1.1, 0.25);
     let within = vec3f(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     let deep = gabor_impl_times(pores, within);
     let early = (1.0 - ring.x) * (1.0 - pores.x); let late = ring.x * (1.0 - 0.25 * pores.x);
     let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.11)
                + gabor_impl_tone(of_.pair_2.second.x, of_.pair_2.removed, 0.13);
-    let colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
-                + 0.45 * deep.x * wood.late;
+    let colour = early * gabor_impl_toned(wood.earlywood_colour, tones)
+        + late * gabor_impl_toned(wood.latewood_colour, tones)
+                + 0.45 * deep.x * wood.latewood_colour;
     let height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of_.pair_1.second;
-    let depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    // Mean square.
+    let depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
+        * (within.x * within.x + 0.05 * (1.0 - kept * kept));
     let lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
               + 4.0e-8 * of_.pair_1.lost
               + depth * gabor_impl_above_lost(of_.pair_0.second, of_.pair_0.removed, of_.pair_0.lost, 1.1, 0.25);
@@ -844,7 +847,8 @@ fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, o
                     + gabor_impl_tone(of_.pair_2.second.x, of_.pair_2.removed, 0.12);
     let weft_tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, 0.09 * uneven)
                     + gabor_impl_tone(of_.pair_3.second.x, of_.pair_3.removed, 0.12);
-    let warp = gabor_impl_toned(fabric.warp, warp_tones); let weft = gabor_impl_toned(fabric.weft, weft_tones);
+    let warp = gabor_impl_toned(fabric.warp_colour, warp_tones);
+    let weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     var height = vec3f(0.0); var colour = vec3f(0.0); var lost = vec3f(0.0);
     let samples = gabor_impl_samples(spread);
     for (var i = 0; i < samples; i++) {
@@ -915,8 +919,10 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
     let dx = count * cloth.dx; let dy = count * cloth.dy;
     let spread = gabor_impl_sample_spread(dx, dy); let kept = 1.0 - smoothstep(0.5, 1.0, spread);
     let unit = fibres.relief / fibres.tows;
-    let warp = gabor_impl_toned(fibres.colour, gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, fibres.contrast));
-    let weft = gabor_impl_toned(fibres.colour, gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, fibres.contrast));
+    let warp = gabor_impl_toned(fibres.colour,
+                                gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, fibres.fibre_contrast));
+    let weft = gabor_impl_toned(fibres.colour,
+                                gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, fibres.fibre_contrast));
     var height = vec3f(0.0); var colour = vec3f(0.0); var lost = vec3f(0.0);
     let samples = gabor_impl_samples(spread);
     for (var i = 0; i < samples; i++) {
@@ -961,14 +967,14 @@ fn gabor_carbon_fibre_at(p: vec2f, period: vec2f, fibres: GaborCarbonFibre, seed
 // middle.
 
 fn gabor_impl_skin(pixel: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplPixel {
-    let bends = vec2f(0.07, 0.014) * leather.wrinkles;
+    let bends = vec2f(0.07, 0.014) * leather.waviness;
     let skin = gabor_impl_warp(pixel, vec2f(0.9), vec2f(bends.x), seed, 0);
     return gabor_impl_warp(skin, vec2f(4.0), vec2f(bends.y), seed, 1);
 }
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, leather: GaborLeather, seed: u32) -> GaborImplLayer {
-    if (i < 3) { return gabor_impl_octave(pixel, vec2f(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4)); }
+    if (i < 3) { return gabor_impl_octave(pixel, vec2f(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4)); }
     if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(0.8), seed, 5); }
     // 2.2944 is 0.2 + 2/3 pi
     return gabor_impl_waves_layer(i - 2, skin, vec2f(leather.cells / 1.6), 1.6, select(2.2944, 0.2, i == 4), seed, i - 2);
@@ -1028,7 +1034,8 @@ fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: Gabo
     share = mix(0.806, share / f32(samples), kept);
     let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.14)
                + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.08);
-    let colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), share);
+    let colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
+                     share);
     lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / f32(samples), kept) * of_.pair_0.lost);
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1058,7 +1065,7 @@ fn gabor_impl_stone(pixel: GaborImplPixel, marble: GaborMarble, seed: u32) -> Ga
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborImplPixel, stone: GaborImplPixel, seed: u32) -> GaborImplLayer {
-    if (i < 3) { return gabor_impl_octave(stone, vec2f(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8)); }
+    if (i < 3) { return gabor_impl_octave(stone, vec2f(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8)); }
     if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(75.0), seed, 9); }
     let vein = select(select(select(vec3f(13.0, 0.9, 0.2), vec3f(4.5, 0.95, 0.95), i == 6),
                                                  vec3f(0.95, 0.85, 0.65), i == 5), vec3f(1.9, 0.95, -0.45), i == 4);
@@ -1066,8 +1073,8 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborImplPixel, stone: GaborImplPixel,
 }
 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborImplPair) -> GaborMaterial {
-    let clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    let colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+    let clouds = marble.cloud_strength * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    let colour = gabor_impl_toned(marble.stone_colour * (1.0 - clouds),
                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
@@ -1076,12 +1083,12 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborIm
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
     let width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
-    var strength = marble.veins * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);
+    var strength = marble.vein_strength * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);
     let open = gabor_impl_above(vein.second, vein.removed, select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4), 0.5).x;
     strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
-    let halo = mix(marble.stone, marble.vein, 0.65);
-    let core = mix(marble.stone, marble.vein, select(select(select(0.45, 0.65, i == 6), 1.0, i == 5), 0.9, i == 4));
+    let halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
+    let core = mix(marble.stone_colour, marble.vein_colour, select(select(select(0.45, 0.65, i == 6), 1.0, i == 5), 0.9, i == 4));
     (*stone).colour += strength.x * (halo - (*stone).colour) + strength.y * (core - (*stone).colour);
     (*stone).colour = clamp((*stone).colour, vec3f(0.0), vec3f(1.0));
 }
@@ -1111,7 +1118,7 @@ fn gabor_impl_dune(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
 
 // Three octaves of large shapes, grains, and ripples.
 fn gabor_impl_sand_layer(i: i32, pixel: GaborImplPixel, dune: GaborImplPixel, sand: GaborSand, seed: u32) -> GaborImplLayer {
-    if (i < 3) { return gabor_impl_octave(pixel, vec2f(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4)); }
+    if (i < 3) { return gabor_impl_octave(pixel, vec2f(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4)); }
     if (i == 3) { return gabor_impl_spots_layer(1, pixel, vec2f(75.0), seed, 3); }
     return gabor_impl_waves_layer(2, dune, vec2f(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
@@ -1122,17 +1129,20 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs
     let span = 0.9 * sqrt(power / whole);
     let change = z.x * of_.pair_2.first.yz + z.y * of_.pair_2.second.yz; // half the derivative of the power
     // 0.15915494 is 1/(2 pi)
-    let phase = vec3f(gabor_phasor(z).x, 0.15915494 / power * (z.x * of_.pair_2.second.yz - z.y * of_.pair_2.first.yz));
+    let phase = vec3f(gabor_turns_intensity(z.yx).x,
+                      0.15915494 / power * (z.x * of_.pair_2.second.yz - z.y * of_.pair_2.first.yz));
     let ripple = gabor_impl_rise(phase, span * vec3f(1.0, (1.0 / power - 1.0 / whole) * change));
-    let tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, sand.grain)
+    let tones = gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, sand.grain_contrast)
                + gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.06);
-    var colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    var colour = mix(gabor_impl_toned(sand.trough_colour, tones), gabor_impl_toned(sand.crest_colour, tones),
+                     ripple.x);
     let dark = gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, 1.9, 0.15).x;
     let bright = gabor_impl_above(-of_.pair_1.second, of_.pair_1.removed, 1.9, 0.15).x;
-    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
-    colour = mix(colour, mix(sand.crest, vec3f(1.0), 0.6), 3.0 * sand.grain * bright);
-    let tall = vec3f(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of_.pair_0.first;
-    let height = gabor_impl_times(ripple, tall) + 0.03 * of_.pair_0.first + 0.00875 * sand.grain * of_.pair_1.first;
+    colour = mix(colour, 0.23 * sand.trough_colour, 3.75 * sand.grain_contrast * dark);
+    colour = mix(colour, mix(sand.crest_colour, vec3f(1.0), 0.6), 3.0 * sand.grain_contrast * bright);
+    let tall = vec3f(sand.ripple_height, 0.0, 0.0) + 0.2 * sand.ripple_height * of_.pair_0.first;
+    let height = gabor_impl_times(ripple, tall) + 0.03 * of_.pair_0.first
+        + 0.00875 * sand.grain_contrast * of_.pair_1.first;
     var wave = ripples.density * ripples.wave; // per unit of the dune
     wave = vec2f(dot(wave, ripples.at.by_x), dot(wave, ripples.at.by_y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
@@ -1140,7 +1150,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborImplLayer, of_: GaborImplPairs
     let square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
     // 7.65625e-5 is 0.00875^2
     let lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of_.pair_0.lost + 7.65625e-5 * sand.grain * sand.grain * of_.pair_1.lost;
+              + 0.0009 * of_.pair_0.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of_.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
@@ -1161,14 +1171,14 @@ fn gabor_sand_at(p: vec2f, period: vec2f, sand: GaborSand, seed: u32) -> GaborMa
 
 // Five sizes of streaks, and six octaves of patina.
 fn gabor_impl_metal_layer(i: i32, pixel: GaborImplPixel, metal: GaborBrushedMetal, seed: u32) -> GaborImplLayer {
-    if (i >= 5) { return gabor_impl_octave(pixel, vec2f(1.3), i - 5, 6, 0.75, gabor_lobe_seed(seed, 5)); }
+    if (i >= 5) { return gabor_impl_octave(pixel, vec2f(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5)); }
     let density = vec2f(0.3 + 0.12 * exp2(f32(i)), metal.streaks * exp2(f32(i)));
     return gabor_impl_spots_layer(0, pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
 fn gabor_impl_metal_layers(metal: GaborBrushedMetal) -> i32 {
-    return select(5, 11, metal.weathering > 0.0);
+    return select(5, 11, metal.patina_amount > 0.0);
 }
 
 // Adds a layer: of the streaks, the first sum is the height, the second the tone.
@@ -1185,12 +1195,14 @@ fn gabor_impl_add_metal(of_: ptr<function, GaborImplPairs>, i: i32, layer: Gabor
 }
 
 fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, of_: GaborImplPairs) -> GaborMaterial {
-    let colour = gabor_impl_toned(metal.colour, gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, metal.contrast));
-    var height = metal.relief * of_.pair_0.first; var lost = metal.relief * metal.relief * of_.pair_0.lost;
-    if (metal.weathering <= 0.0) { return gabor_impl_material(colour, height, lost, metal.roughness, 1.0); }
-    let threshold = 2.4 - 3.8 * metal.weathering;
+    let colour = gabor_impl_toned(metal.metal_colour,
+                                  gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, metal.streak_contrast));
+    var height = metal.streak_height * of_.pair_0.first;
+    var lost = metal.streak_height * metal.streak_height * of_.pair_0.lost;
+    if (metal.patina_amount <= 0.0) { return gabor_impl_material(colour, height, lost, metal.roughness, 1.0); }
+    let threshold = 2.4 - 3.8 * metal.patina_amount;
     let cover = gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, threshold, 0.3);
-    let patina = gabor_impl_toned(metal.patina, gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, 0.3));
+    let patina = gabor_impl_toned(metal.patina_colour, gabor_impl_tone(of_.pair_1.first.x, of_.pair_1.removed, 0.3));
     height += 0.003 * cover + 0.001 * of_.pair_1.first;
     lost += 9.0e-6 * gabor_impl_above_lost(of_.pair_1.second, of_.pair_1.removed, of_.pair_1.lost, threshold, 0.3)
           + 1.0e-6 * of_.pair_1.lost;
@@ -1214,13 +1226,16 @@ fn gabor_brushed_metal_at(p: vec2f, period: vec2f, metal: GaborBrushedMetal, see
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScratches, seed: u32) -> GaborImplLayer {
-    let angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * f32(i)) - 0.5); // 3 - sqrt(5)
+    // 3 - sqrt(5).
+    let angle = scratches.scratch_direction
+        + scratches.direction_spread * (2.0 * fract(0.0955 + 0.763932 * f32(i)) - 1.0);
     var at = gabor_impl_turned(pixel, angle);
     // Across a tile's scratches, a period holds at least three nodes however short it is: bend less, or scratches
     // swell.
     let bend = select(0.17, min(0.17, 0.02 * at.period.y), at.period.y > 0.0);
     at = gabor_impl_warp(at, vec2f(0.3, 0.1), vec2f(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, vec2f(1.0 / scratches.reach, 42.0) * exp2(0.13 * f32(i)), seed, 2 * i + 1);
+    return gabor_impl_spots_layer(0, at, vec2f(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * f32(i)), seed,
+                                  2 * i + 1);
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
@@ -1241,7 +1256,8 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
     let height = scratches.depth * vec3f(sum.height, sum.slope);
     let lost = scratches.depth * scratches.depth * sum.lost;
-    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+    return gabor_impl_material(mix(scratches.scratch_colour, scratches.lacquer_colour, sum.colour), height, lost,
+                               scratches.roughness,
                                0.0);
 }
 
@@ -1263,7 +1279,7 @@ fn gabor_impl_hide(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
 
 fn gabor_impl_stripes_direction(pixel: GaborImplPixel, zebra: GaborZebra, seed: u32) -> f32 {
     let place = gabor_impl_place(pixel, vec2f(0.6));
-    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+    return zebra.orientation + zebra.bend_angle * gabor_impl_spots(place, gabor_derived_seed(seed, 1)).quadrature;
 }
 
 // Hair, tone and stripes.
@@ -1276,15 +1292,16 @@ fn gabor_impl_zebra_layer(i: i32, pixel: GaborImplPixel, skin: GaborImplPixel, d
 }
 
 fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborImplPairs) -> GaborMaterial {
-    let ragged = 0.1 * zebra.hair; let relief = 0.002 * zebra.hair;
+    let ragged = 0.1 * zebra.hair_contrast; let relief = 0.002 * zebra.hair_contrast;
     // where it is small, a constant softness would blur the edge
     let intensity = length(vec2f(of_.pair_2.first.x, of_.pair_2.second.x));
     let dark = gabor_impl_above(of_.pair_2.first + ragged * intensity * of_.pair_0.first,
                                 of_.pair_2.removed + ragged * ragged * intensity * intensity * of_.pair_0.removed, 0.0,
                                 0.01 + 0.09 * intensity).x;
-    let tones = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.14 * zebra.hair)
+    let tones = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.14 * zebra.hair_contrast)
                + gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.08);
-    let colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    let colour = mix(gabor_impl_toned(zebra.background_colour, tones), gabor_impl_toned(zebra.stripe_colour, tones),
+                     dark);
     return gabor_impl_material(colour, relief * of_.pair_0.first, relief * relief * of_.pair_0.lost, zebra.roughness,
                                0.0);
 }
@@ -1312,7 +1329,7 @@ fn gabor_impl_trunk(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
 fn gabor_impl_bark_layer(i: i32, pixel: GaborImplPixel, trunk: GaborImplPixel, bark: GaborBark, seed: u32) -> GaborImplLayer {
     var at = trunk;
     if (i > 1 && i < 6) { at = pixel; } // the trunk's warps would stretch small spots into smears
-    if (i < 5) { return gabor_impl_octave(at, vec2f(7.0, 3.5), i, 5, 0.7, gabor_lobe_seed(seed, 5)); }
+    if (i < 5) { return gabor_impl_octave(at, vec2f(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5)); }
     if (i == 5) { return gabor_impl_spots_layer(1, at, vec2f(1.1, 0.7), seed, 6); }
     if (i == 6) { return gabor_impl_waves_layer(2, trunk, vec2f(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3); }
     return gabor_impl_waves_layer(3, trunk, vec2f(1.2, 1.3), 0.9, 1.5, seed, 4);
@@ -1326,11 +1343,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborImplPairs) -> GaborMaterial {
     // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     let weighted = of_.pair_0.second + vec3f(0.25 * of_.pair_0.removed, 0.0, 0.0);
     let worn = 0.5 * gabor_impl_above(weighted, of_.pair_0.removed, 0.5, 0.4).x;
-    let covered = bark.cover * gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, 0.9, 0.5).x;
+    let covered = bark.moss_amount * gabor_impl_above(of_.pair_1.second, of_.pair_1.removed, 0.9, 0.5).x;
     let tone = gabor_impl_tone(of_.pair_0.second.x, of_.pair_0.removed, 0.25);
-    let top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3f(1.0), 0.13), tone), worn);
-    let moss = gabor_impl_toned(bark.moss, tone);
-    let colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    let top = mix(gabor_impl_toned(bark.plate_colour, tone),
+                  gabor_impl_toned(mix(bark.plate_colour, vec3f(1.0), 0.13), tone), worn);
+    let moss = gabor_impl_toned(bark.moss_colour, tone);
+    let colour = mix(mix(gabor_impl_toned(bark.furrow_colour, tone), moss, covered), mix(top, moss, 0.6 * covered),
+                     plate.x);
     let coarse = vec3f(0.4, 0.0, 0.0) + 0.6 * plate;
     let height = bark.depth * plate + 0.018 * gabor_impl_times(of_.pair_0.first, coarse);
     // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width. `deep` is the height's derivative
@@ -1364,7 +1383,7 @@ fn gabor_bark_at(p: vec2f, period: vec2f, bark: GaborBark, seed: u32) -> GaborMa
 // ---- Strata --------------------------------------------------------------------------------------------------------
 
 fn gabor_impl_rock(pixel: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplPixel {
-    let folds = vec4f(0.2, 0.016, 0.022, 0.004) * strata.folds;
+    let folds = vec4f(0.2, 0.016, 0.022, 0.004) * strata.folding;
     var rock = gabor_impl_warp(pixel, vec2f(0.35, 0.6), vec2f(0.0, folds.x), seed, 0);
     rock = gabor_impl_warp(rock, vec2f(1.6, 2.6), folds.yz, seed, 1);
     return gabor_impl_warp(rock, vec2f(7.0, 10.0), vec2f(folds.w), seed, 2);
@@ -1373,7 +1392,7 @@ fn gabor_impl_rock(pixel: GaborImplPixel, strata: GaborStrata, seed: u32) -> Gab
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborImplPixel, rock: GaborImplPixel, strata: GaborStrata, seed: u32) -> GaborImplLayer {
     if (i < 4) {
-        return gabor_impl_octave(pixel, vec2f(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+        return gabor_impl_octave(pixel, vec2f(16.0, 24.0), i, 4, 0.8, gabor_derived_seed(seed, 7));
     }
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     let density = select(select(select(vec2f(0.6, 8.3333333), vec2f(0.25, 2.8333333), i == 6),
@@ -1385,12 +1404,13 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborImplPairs) -> GaborMaterial 
     let soft = gabor_impl_above(of_.pair_2.first, of_.pair_2.removed, 0.5, 0.22); // the soft layers, which erode
     let tones = gabor_impl_tone(of_.pair_4.first.x, of_.pair_4.removed, 0.13)
                + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.11);
-    var colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+    var colour = mix(gabor_impl_toned(strata.dark_rock_colour, tones),
+                     gabor_impl_toned(strata.light_rock_colour, tones),
                      gabor_impl_above(of_.pair_1.first, of_.pair_1.removed, 0.0, 0.5).x);
-    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
-    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+    colour = mix(colour, gabor_impl_toned(strata.soft_layer_colour, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.thin_layer_colour, tones),
                  0.75 * gabor_impl_above(of_.pair_3.first, of_.pair_3.removed, 1.0, 0.2).x);
-    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.soft_layer_colour, tones),
                  0.6 * gabor_impl_above(of_.pair_3.second, of_.pair_3.removed, 1.3, 0.15).x);
     let height = 0.02 * of_.pair_1.second - 0.012 * soft + 0.006 * of_.pair_3.first + 0.0015 * of_.pair_4.first
                 + 0.003 * of_.pair_0.second;
@@ -1572,7 +1592,7 @@ fn gabor_brushed_metal_default() -> GaborBrushedMetal {
 }
 fn gabor_scratches_default() -> GaborScratches {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
+    return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
                           0.3);
 }
 fn gabor_zebra_default() -> GaborZebra {

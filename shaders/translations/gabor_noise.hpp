@@ -11,7 +11,7 @@
 //     a texture that repeats                   gabor_noise_tiled
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
-//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -19,8 +19,8 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
-//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//                  10^5, p has steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of up to 8e-6 to the noise for each radian.
@@ -61,21 +61,21 @@
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of the time: a float has so few digits
-//     at 1000 that the noise errs by 4e-4.
+// float gabor_noise_animated(vec2 p, float evolution, float frequency, float orientation, uint seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1; 0 gives gabor_noise. Values t apart have the
+//     correlation cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of a large evolution: a
+//     float has so few digits at 1000 that the noise errs by 4e-4.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
-// vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are independent and have variance 1.
+// vec2 gabor_noise_quadrature(vec2 p, float frequency, float orientation, uint seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are independent and have variance 1.
 
-// vec2 gabor_phasor(vec2 value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// vec2 gabor_turns_intensity(vec2 noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -85,30 +85,30 @@
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// uint gabor_lobe_seed(uint seed, int index)
-//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
-//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
+// uint gabor_derived_seed(uint seed, int index)
+//     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
+//     one seed, frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- Any position, wave vector, period and time --------------------------------------------------------------------
+// ---- Any position, wave vector, period and evolution ----------------------------------------------------------------
 
-// Nodes of the lattice per kernel radius.
-#define GABOR_RADIUS (0.5f * float(GABOR_TAPS))
+// Cells of the lattice, from node to node, per kernel radius.
+#define GABOR_CELLS_PER_RADIUS (0.5f * float(GABOR_TAPS))
 
-// A position in node spacings of the lattice, with a period and a time.
+// A position in node spacings of the lattice, with a period and an evolution.
 struct GaborPlace {
     gabor_ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
     gabor_vec2 local;   // offset from that cell's corner in node spacings, most precise in [0, 1)^2
-    gabor_vec2 radius;  // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
+    gabor_vec2 cells_per_radius; // along each axis: GABOR_CELLS_PER_RADIUS, or slightly different to fit a period
     gabor_ivec2 period; // period in nodes, 0 for none
-    float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
+    float evolution; // as in gabor_noise_animated, in turns. Set it after calling a constructor, which sets 0
 };
 
 // GaborPlace gabor_place_at(vec2 p)
 //     The position p, in kernel radii.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborPlace gabor_place_tiled(vec2 p, vec2 period)
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
@@ -118,7 +118,7 @@ struct GaborPlace {
 // vec2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
 // nothing.
 struct GaborField {
     float noise;
@@ -139,8 +139,9 @@ struct GaborField {
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_k, y_j) of a square lattice with R = GABOR_RADIUS nodes per kernel radius have independent, normal,
-// complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// The nodes (x_k, y_j) of a square lattice with R = GABOR_CELLS_PER_RADIUS nodes per kernel radius have independent,
+// normal, complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along both
+// axes:
 //
 //     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
@@ -172,7 +173,7 @@ GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt
     return twice ^ (twice >> 15u);
 }
 
-GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index) {
+GABOR_INLINE std::uint32_t gabor_derived_seed(std::uint32_t seed, int index) {
     return gabor_impl_mix(seed + std::uint32_t(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
@@ -316,9 +317,9 @@ struct GaborImplAxis {
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 GABOR_INLINE GaborImplAxis gabor_impl_axis(int cell, float local, int period, std::uint32_t salt, float wave, float radius) {
     GaborImplAxis axis;
-    float zero = gabor_cpp_floor(local + (2.0f - GABOR_RADIUS));
+    float zero = gabor_cpp_floor(local + (2.0f - GABOR_CELLS_PER_RADIUS));
     // The clamp matters only if a compiler fuses the product in `local` with this subtraction.
-    axis.offset = gabor_cpp_clamp(local - zero, GABOR_RADIUS - 2.0f, GABOR_RADIUS - 1.0f);
+    axis.offset = gabor_cpp_clamp(local - zero, GABOR_CELLS_PER_RADIUS - 2.0f, GABOR_CELLS_PER_RADIUS - 1.0f);
     axis.turns = wave / radius;
     int index = gabor_impl_wrap(cell + int(zero) - 1, period);
     axis.word[0] = gabor_impl_line_word(index, salt);
@@ -339,15 +340,15 @@ GABOR_INLINE GaborImplAxis gabor_impl_axis(int cell, float local, int period, st
     return axis;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
-// take FXC four times as long through ANGLE.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment) {
+// The amplitude of a node at an evolution. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at evolution 0 the weights are 1, 0, 0. A return within the branch
+// would take FXC four times as long through ANGLE.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float evolution) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
-    if (moment != 0.0f) {
+    if (evolution != 0.0f) {
         std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-        gabor_vec2 turn = gabor_impl_wave(moment);
+        gabor_vec2 turn = gabor_impl_wave(evolution);
         // 0.70710678 is 1/sqrt(2)
         amplitude = (0.5f + 0.5f * turn.x) * amplitude + (0.5f - 0.5f * turn.x) * gabor_impl_amplitude(second)
                   + 0.70710678f * turn.y * gabor_impl_amplitude(third);
@@ -366,26 +367,27 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborImplAxis x, GaborImplAxis y, int j, float moment) {
+GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborImplAxis x, GaborImplAxis y, int j,
+                             float evolution) {
     gabor_vec4 row = gabor_vec4(0.0f);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], evolution));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], evolution));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], evolution));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], evolution));
     if (j != GABOR_IMPL_TESTED_ROW || x.offset < 8.0f) {
         gabor_impl_add_products(sum, row, y.node[j].xy());
         gabor_impl_add_products(slope, row, y.node[j].zw());
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborImplAxis x, GaborImplAxis y, float moment, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum(GaborImplAxis x, GaborImplAxis y, float evolution, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, moment);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, evolution);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, evolution);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, evolution);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, evolution);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -402,13 +404,15 @@ GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor
 GABOR_INLINE GaborField gabor_field(GaborPlace place, gabor_vec2 wave, std::uint32_t seed) {
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f);
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y,
+                                      place.cells_per_radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
-    gabor_impl_sum(x, y, place.moment, sum, slope);
-    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+    gabor_impl_sum(x, y, place.evolution, sum, slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
 }
 
 // Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
@@ -423,21 +427,21 @@ GABOR_INLINE void gabor_impl_add_field(GaborField& sum, GaborField field, float 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
-    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
+    return GaborPlace{cell, local, gabor_vec2(GABOR_CELLS_PER_RADIUS), gabor_ivec2(0), 0.0f};
 }
 
 GABOR_INLINE GaborPlace gabor_place_at(gabor_vec2 p) {
-    return gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
+    return gabor_place(gabor_ivec2(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
     gabor_vec2 side = gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f); // 2^-10
-    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(side * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
+    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(side * GABOR_CELLS_PER_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
-    place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / side.x : GABOR_RADIUS,
-                        period.y > 0.0f ? nodes.y / side.y : GABOR_RADIUS);
+    place.cells_per_radius = gabor_vec2(period.x > 0.0f ? nodes.x / side.x : GABOR_CELLS_PER_RADIUS,
+                        period.y > 0.0f ? nodes.y / side.y : GABOR_CELLS_PER_RADIUS);
     place.period = gabor_ivec2(period.x > 0.0f ? int(nodes.x) : 0, period.y > 0.0f ? int(nodes.y) : 0);
-    place.local = p * place.radius;
+    place.local = p * place.cells_per_radius;
     return place;
 }
 
@@ -453,9 +457,9 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
     return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float evolution, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place_at(p);
-    place.moment = moment;
+    place.evolution = evolution;
     return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
@@ -464,14 +468,14 @@ GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, floa
     return gabor_vec3(field.noise, field.gradient);
 }
 
-GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
+GABOR_INLINE gabor_vec2 gabor_noise_quadrature(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
     GaborField field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
-    return gabor_vec2(field.quadrature, field.noise);
+    return gabor_vec2(field.noise, field.quadrature);
 }
 
-GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
-    float intensity = gabor_cpp_length(value);
-    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f; // 1/(2 pi)
+GABOR_INLINE gabor_vec2 gabor_turns_intensity(gabor_vec2 noise_quadrature) {
+    float intensity = gabor_cpp_length(noise_quadrature.yx());
+    float phase = intensity > 0.0f ? gabor_cpp_atan(noise_quadrature.x, noise_quadrature.y) * 0.15915494f : 0.0f; // 1/(2 pi)
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity); // 1 - 2^-24
 }
 

@@ -11,7 +11,7 @@
 //     a texture that repeats                   gabor_noise_tiled
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
-//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -19,8 +19,8 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
-//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//                  10^5, p has steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of up to 8e-6 to the noise for each radian.
@@ -48,21 +48,21 @@ const_assert !(GABOR_TAPS < 2 || GABOR_TAPS > 4); // GABOR_TAPS must be 2, 3 or 
 // fn gabor_noise_tiled(p: vec2f, period: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32
 //     The noise, with continuous first derivatives.
 
-// fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32
-//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of the time: an f32 has so few digits
-//     at 1000 that the noise errs by 4e-4.
+// fn gabor_noise_animated(p: vec2f, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32
+//     Noise that evolves in place and repeats when `evolution` grows by 1; 0 gives gabor_noise. Values t apart have the
+//     correlation cos^2(pi t). Costs about twice as much as gabor_noise. Pass the fraction of a large evolution: a
+//     f32 has so few digits at 1000 that the noise errs by 4e-4.
 
 // fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec3f
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
-// fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are independent and have variance 1.
+// fn gabor_noise_quadrature(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are independent and have variance 1.
 
-// fn gabor_phasor(value: vec2f) -> vec2f
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// fn gabor_turns_intensity(noise_quadrature: vec2f) -> vec2f
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // fn gabor_stripes(p: vec2f, wave: vec2f, sharpness: f32, seed: u32) -> vec3f
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
@@ -72,30 +72,30 @@ const_assert !(GABOR_TAPS < 2 || GABOR_TAPS > 4); // GABOR_TAPS must be 2, 3 or 
 // fn gabor_unorm(noise: f32) -> f32
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// fn gabor_lobe_seed(seed: u32, index: i32) -> u32
-//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
-//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
+// fn gabor_derived_seed(seed: u32, index: i32) -> u32
+//     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
+//     one seed, frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- Any position, wave vector, period and time --------------------------------------------------------------------
+// ---- Any position, wave vector, period and evolution ----------------------------------------------------------------
 
-// Nodes of the lattice per kernel radius.
-const GABOR_RADIUS: f32 = (0.5 * f32(GABOR_TAPS));
+// Cells of the lattice, from node to node, per kernel radius.
+const GABOR_CELLS_PER_RADIUS: f32 = (0.5 * f32(GABOR_TAPS));
 
-// A position in node spacings of the lattice, with a period and a time.
+// A position in node spacings of the lattice, with a period and an evolution.
 struct GaborPlace {
-    cell: vec2i,   // any integers except the last few before 2^31, where the world wraps around
-    local: vec2f,  // offset from that cell's corner in node spacings, most precise in [0, 1)^2
-    radius: vec2f, // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
-    period: vec2i, // period in nodes, 0 for none
-    moment: f32,   // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
+    cell: vec2i,             // any integers except the last few before 2^31, where the world wraps around
+    local: vec2f,            // offset from that cell's corner in node spacings, most precise in [0, 1)^2
+    cells_per_radius: vec2f, // along each axis: GABOR_CELLS_PER_RADIUS, or slightly different to fit a period
+    period: vec2i,           // period in nodes, 0 for none
+    evolution: f32,          // as in gabor_noise_animated, in turns. Set it after calling a constructor, which sets 0
 }
 
 // fn gabor_place_at(p: vec2f) -> GaborPlace
 //     The position p, in kernel radii.
 
 // fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
@@ -105,7 +105,7 @@ struct GaborPlace {
 // fn gabor_wave_vector(frequency: f32, orientation: f32) -> vec2f
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
 // nothing.
 struct GaborField {
     noise: f32,
@@ -126,8 +126,9 @@ struct GaborField {
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_k, y_j) of a square lattice with R = GABOR_RADIUS nodes per kernel radius have independent, normal,
-// complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// The nodes (x_k, y_j) of a square lattice with R = GABOR_CELLS_PER_RADIUS nodes per kernel radius have independent,
+// normal, complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along both
+// axes:
 //
 //     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
@@ -159,7 +160,7 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return twice ^ (twice >> 15u);
 }
 
-fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+fn gabor_derived_seed(seed: u32, index: i32) -> u32 {
     return gabor_impl_mix(seed + u32(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
 
@@ -283,9 +284,9 @@ struct GaborImplAxis {
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborImplAxis {
     var axis: GaborImplAxis;
-    let zero = floor(local + (2.0 - GABOR_RADIUS));
+    let zero = floor(local + (2.0 - GABOR_CELLS_PER_RADIUS));
     // The clamp matters only if a compiler fuses the product in `local` with this subtraction.
-    axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
+    axis.offset = clamp(local - zero, GABOR_CELLS_PER_RADIUS - 2.0, GABOR_CELLS_PER_RADIUS - 1.0);
     axis.turns = wave / radius;
     var index = gabor_impl_wrap(cell + i32(zero) - 1, period);
     axis.word[0] = gabor_impl_line_word(index, salt);
@@ -306,15 +307,15 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return axis;
 }
 
-// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
-// take FXC four times as long through ANGLE.
-fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2f {
+// The amplitude of a node at an evolution. It is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at evolution 0 the weights are 1, 0, 0. A return within the branch
+// would take FXC four times as long through ANGLE.
+fn gabor_impl_amplitude_at(word: u32, evolution: f32) -> vec2f {
     var amplitude = gabor_impl_amplitude(word);
-    if (moment != 0.0) {
+    if (evolution != 0.0) {
         let second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         let third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-        let turn = gabor_impl_wave(moment);
+        let turn = gabor_impl_wave(evolution);
         // 0.70710678 is 1/sqrt(2)
         amplitude = (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
                   + 0.70710678 * turn.y * gabor_impl_amplitude(third);
@@ -330,16 +331,16 @@ const GABOR_IMPL_TESTED_ROW: i32 = 1;
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
 fn gabor_impl_add_node_row(sum: ptr<function, vec4f>, slope: ptr<function, vec4f>, x: GaborImplAxis,
-                           y_in: GaborImplAxis, j: i32, moment: f32) {
+                           y_in: GaborImplAxis, j: i32, evolution: f32) {
     var y = y_in;
     var row = vec4f(0.0);
-    gabor_impl_add_products(&row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
-    gabor_impl_add_products(&row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
+    gabor_impl_add_products(&row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], evolution));
+    gabor_impl_add_products(&row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], evolution));
     if (GABOR_TAPS > 2) {
-        gabor_impl_add_products(&row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
+        gabor_impl_add_products(&row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], evolution));
     }
     if (GABOR_TAPS > 3) {
-        gabor_impl_add_products(&row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
+        gabor_impl_add_products(&row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], evolution));
     }
     if (j != GABOR_IMPL_TESTED_ROW || x.offset < 8.0) {
         gabor_impl_add_products(sum, row, y.node[j].xy);
@@ -347,13 +348,13 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4f>, slope: ptr<function, vec4f
     }
 }
 
-fn gabor_impl_sum(x: GaborImplAxis, y: GaborImplAxis, moment: f32, sum: ptr<function, vec4f>,
+fn gabor_impl_sum(x: GaborImplAxis, y: GaborImplAxis, evolution: f32, sum: ptr<function, vec4f>,
                   slope: ptr<function, vec4f>) {
     *slope = vec4f(0.0); *sum = (*slope);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
-    if (GABOR_TAPS > 2) { gabor_impl_add_node_row(sum, slope, x, y, 2, moment); }
-    if (GABOR_TAPS > 3) { gabor_impl_add_node_row(sum, slope, x, y, 3, moment); }
+    gabor_impl_add_node_row(sum, slope, x, y, 0, evolution);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, evolution);
+    if (GABOR_TAPS > 2) { gabor_impl_add_node_row(sum, slope, x, y, 2, evolution); }
+    if (GABOR_TAPS > 3) { gabor_impl_add_node_row(sum, slope, x, y, 3, evolution); }
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -372,13 +373,15 @@ fn gabor_field(place: GaborPlace, wave_in: vec2f, seed: u32) -> GaborField {
     var wave = wave_in;
     wave = clamp(wave, vec2f(-1.0e6), vec2f(1.0e6));
     var salt = gabor_impl_salt(seed);
-    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                            place.cells_per_radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y,
+                            place.cells_per_radius.y);
     let turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     var sum: vec4f; var slope: vec4f;
-    gabor_impl_sum(x, y, place.moment, &sum, &slope);
-    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+    gabor_impl_sum(x, y, place.evolution, &sum, &slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
 }
 
 // Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
@@ -393,21 +396,21 @@ fn gabor_impl_add_field(sum: ptr<function, GaborField>, field: GaborField, ampli
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace {
-    return GaborPlace(cell, local, vec2f(GABOR_RADIUS), vec2i(0), 0.0);
+    return GaborPlace(cell, local, vec2f(GABOR_CELLS_PER_RADIUS), vec2i(0), 0.0);
 }
 
 fn gabor_place_at(p: vec2f) -> GaborPlace {
-    return gabor_place(vec2i(0), p * GABOR_RADIUS);
+    return gabor_place(vec2i(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
     let side = clamp(period, vec2f(0.0009765625), vec2f(1.0e9)); // 2^-10
-    let nodes = max(floor(side * GABOR_RADIUS + 0.5), vec2f(f32(GABOR_TAPS)));
+    let nodes = max(floor(side * GABOR_CELLS_PER_RADIUS + 0.5), vec2f(f32(GABOR_TAPS)));
     var place = gabor_place(vec2i(0), vec2f(0.0));
-    place.radius = vec2f(select(GABOR_RADIUS, nodes.x / side.x, period.x > 0.0),
-                         select(GABOR_RADIUS, nodes.y / side.y, period.y > 0.0));
+    place.cells_per_radius = vec2f(select(GABOR_CELLS_PER_RADIUS, nodes.x / side.x, period.x > 0.0),
+                        select(GABOR_CELLS_PER_RADIUS, nodes.y / side.y, period.y > 0.0));
     place.period = vec2i(select(0, i32(nodes.x), period.x > 0.0), select(0, i32(nodes.y), period.y > 0.0));
-    place.local = p * place.radius;
+    place.local = p * place.cells_per_radius;
     return place;
 }
 
@@ -423,9 +426,9 @@ fn gabor_noise_tiled(p: vec2f, period: vec2f, frequency: f32, orientation: f32, 
     return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
-fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+fn gabor_noise_animated(p: vec2f, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place = gabor_place_at(p);
-    place.moment = moment;
+    place.evolution = evolution;
     return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
@@ -434,14 +437,14 @@ fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -
     return vec3f(field.noise, field.gradient);
 }
 
-fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
+fn gabor_noise_quadrature(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
     let field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
-    return vec2f(field.quadrature, field.noise);
+    return vec2f(field.noise, field.quadrature);
 }
 
-fn gabor_phasor(value: vec2f) -> vec2f {
-    let intensity = length(value);
-    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0); // 1/(2 pi)
+fn gabor_turns_intensity(noise_quadrature: vec2f) -> vec2f {
+    let intensity = length(noise_quadrature.yx);
+    let phase = select(0.0, atan2(noise_quadrature.x, noise_quadrature.y) * 0.15915494, intensity > 0.0); // 1/(2 pi)
     return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity); // 1 - 2^-24
 }
 

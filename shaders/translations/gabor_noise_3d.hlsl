@@ -11,7 +11,7 @@
 //     the same without a direction             gabor_noise_3d_isotropic
 //     noise along a direction on any mesh      gabor_noise_surface
 //     the same without a direction             gabor_field_surface_isotropic
-//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     derivatives, periods, an evolution       a place, then gabor_field_3d and so on
 //     noise averaged over a pixel              gabor_filter_3d.hlsl
 //
 // Arguments of all functions, besides those of gabor_noise.hlsl:
@@ -33,23 +33,23 @@
 #error gabor_noise_3d.hlsl needs GABOR_TAPS 3
 #endif
 
-// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
 struct GaborPlace3d {
     int3 cell;
     float3 local;
-    float3 radius;
+    float3 cells_per_radius;
     int3 period;
-    float moment;
+    float evolution;
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, float moment)
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 cells_per_radius, int3 period, float evolution)
 {
     GaborPlace3d made;
     made.cell = cell;
     made.local = local;
-    made.radius = radius;
+    made.cells_per_radius = cells_per_radius;
     made.period = period;
-    made.moment = moment;
+    made.evolution = evolution;
     return made;
 }
 
@@ -107,17 +107,17 @@ GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, flo
 // ====================================================================================================================
 
 GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
-    return GaborPlace3d_of(cell, local, (float3)(GABOR_RADIUS), (int3)(0), 0.0);
+    return GaborPlace3d_of(cell, local, (float3)(GABOR_CELLS_PER_RADIUS), (int3)(0), 0.0);
 }
 
 GaborPlace3d gabor_place_3d_at(float3 p) {
-    return gabor_place_3d((int3)(0), p * GABOR_RADIUS);
+    return gabor_place_3d((int3)(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period) {
     GaborPlace xy = gabor_place_tiled(p.xy, period.xy), z = gabor_place_tiled(p.zz, period.zz);
-    return GaborPlace3d_of((int3)(0), float3(xy.local, z.local.x), float3(xy.radius, z.radius.x), int3(xy.period, z.period.x),
-                        0.0);
+    return GaborPlace3d_of((int3)(0), float3(xy.local, z.local.x), float3(xy.cells_per_radius, z.cells_per_radius.x),
+                        int3(xy.period, z.period.x), 0.0);
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
@@ -152,19 +152,19 @@ uint gabor_impl_slice_word(uint row, uint slice) {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, out float4 sum,
+void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float evolution, out float4 sum,
                           out float4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, moment, sum, slope);
+    gabor_impl_sum(x, y, evolution, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
 void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
-                          float moment) {
+                          float evolution) {
     float4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
 }
@@ -180,22 +180,23 @@ GaborField3d gabor_impl_field_3d(float4 sum, float4 slopes, float2 turn, float3 
                         sum.x, float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
+// With periods, nodes are not 1 / GABOR_CELLS_PER_RADIUS kernel radii apart, so all lengths here are in units of
+// GABOR_CELLS_PER_RADIUS node spacings.
 GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
-    float3 stretch = place.radius / GABOR_RADIUS;
+    float3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.evolution);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -239,7 +240,7 @@ GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float freque
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
         float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), sqrt(power), (float3)(1.0));
+        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_derived_seed(seed, i)), sqrt(power), (float3)(1.0));
     }
     return sum;
 }
@@ -323,8 +324,8 @@ GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, float3 d, uint wo
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
 // node to the point.
-void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float moment, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float evolution, uint word) {
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     float2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
@@ -350,7 +351,7 @@ GaborImplNode GaborImplNode_of(float offset, float value, float slope)
 
 GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     float4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborImplNode_of((axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z);
+    return GaborImplNode_of((axis.offset + 1.0 - float(i)) / GABOR_CELLS_PER_RADIUS, node.x, node.z);
 }
 
 uint gabor_impl_node_word(GaborImplAxis axis, int i) {
@@ -360,35 +361,36 @@ uint gabor_impl_node_word(GaborImplAxis axis, int i) {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
 // `scale`: the frequency along each axis.
 void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, float3 scale,
-                                  float moment, GaborImplTangents tangents, uint column, uint4 row) {
+                                  float evolution, GaborImplTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 window = float4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, evolution, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, evolution, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, evolution, column * row.z);
 }
 
-// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+// The sum over 27 nodes. Lengths are in units of GABOR_CELLS_PER_RADIUS node spacings.
 GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                        GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                                      GABOR_RADIUS);
-    float3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
+                                      GABOR_CELLS_PER_RADIUS);
+    float3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
         GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
                                      row);
     }
     GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
@@ -413,7 +415,7 @@ GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, fl
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
         float power = gabor_impl_takeover(i == 0 ? smoothstep(0.25, 0.5, aside) : 1.0 - smoothstep(0.25, 0.5, aside));
         gabor_impl_add_field_3d(sum, gabor_impl_isotropic(place, frequency, gabor_impl_tangents(normal, i),
-                                                          gabor_lobe_seed(seed, i)), sqrt(power), (float3)(1.0));
+                                                          gabor_derived_seed(seed, i)), sqrt(power), (float3)(1.0));
     }
     return sum;
 }

@@ -12,7 +12,7 @@
 //     the same without a direction             gabor_noise_3d_isotropic
 //     noise along a direction on any mesh      gabor_noise_surface
 //     the same without a direction             gabor_field_surface_isotropic
-//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     derivatives, periods, an evolution       a place, then gabor_field_3d and so on
 //     noise averaged over a pixel              gabor_filter_3d.hpp
 //
 // Arguments of all functions, besides those of gabor_noise.hpp:
@@ -38,13 +38,13 @@
 #error gabor_noise_3d.hpp needs GABOR_TAPS 3
 #endif
 
-// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
 struct GaborPlace3d {
     gabor_ivec3 cell;
     gabor_vec3 local;
-    gabor_vec3 radius;
+    gabor_vec3 cells_per_radius;
     gabor_ivec3 period;
-    float moment;
+    float evolution;
 };
 
 // GaborPlace3d gabor_place_3d_at(vec3 p)
@@ -90,17 +90,17 @@ struct GaborField3d {
 // ====================================================================================================================
 
 GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
-    return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), 0.0f};
+    return GaborPlace3d{cell, local, gabor_vec3(GABOR_CELLS_PER_RADIUS), gabor_ivec3(0), 0.0f};
 }
 
 GABOR_INLINE GaborPlace3d gabor_place_3d_at(gabor_vec3 p) {
-    return gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
+    return gabor_place_3d(gabor_ivec3(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 GABOR_INLINE GaborPlace3d gabor_place_3d_tiled(gabor_vec3 p, gabor_vec3 period) {
     GaborPlace xy = gabor_place_tiled(p.xy(), period.xy()), z = gabor_place_tiled(p.zz(), period.zz());
-    return GaborPlace3d{gabor_ivec3(0), gabor_vec3(xy.local, z.local.x), gabor_vec3(xy.radius, z.radius.x), gabor_ivec3(xy.period, z.period.x),
-                        0.0f};
+    return GaborPlace3d{gabor_ivec3(0), gabor_vec3(xy.local, z.local.x), gabor_vec3(xy.cells_per_radius, z.cells_per_radius.x),
+                        gabor_ivec3(xy.period, z.period.x), 0.0f};
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
@@ -135,19 +135,19 @@ GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float moment, gabor_vec4& sum,
+GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float evolution, gabor_vec4& sum,
                           gabor_vec4& slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, moment, sum, slope);
+    gabor_impl_sum(x, y, evolution, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k,
-                          float moment) {
+                          float evolution) {
     gabor_vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, evolution, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
 }
@@ -163,22 +163,23 @@ GABOR_INLINE GaborField3d gabor_impl_field_3d(gabor_vec4 sum, gabor_vec4 slopes,
                         sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
+// With periods, nodes are not 1 / GABOR_CELLS_PER_RADIUS kernel radii apart, so all lengths here are in units of
+// GABOR_CELLS_PER_RADIUS node spacings.
 GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, std::uint32_t seed) {
-    gabor_vec3 stretch = place.radius / GABOR_RADIUS;
+    gabor_vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                      GABOR_RADIUS);
+                                      GABOR_CELLS_PER_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.evolution);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.evolution);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -213,7 +214,7 @@ GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 nor
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
         gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
-        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power), gabor_vec3(1.0f));
+        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_derived_seed(seed, i)), gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;
 }
@@ -279,8 +280,8 @@ GABOR_INLINE GaborImplStar3d gabor_impl_star_3d(GaborImplTangents tangents, gabo
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
 // node to the point.
-GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float moment, std::uint32_t word) {
-    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float evolution, std::uint32_t word) {
+    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     gabor_vec2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz() + 6.2831853f * value.x * wave.xyz(); // 2 pi
@@ -297,7 +298,7 @@ struct GaborImplNode {
 
 GABOR_INLINE GaborImplNode gabor_impl_node(GaborImplAxis axis, int i) {
     gabor_vec4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
-    return GaborImplNode{(axis.offset + 1.0f - float(i)) / GABOR_RADIUS, node.x, node.z};
+    return GaborImplNode{(axis.offset + 1.0f - float(i)) / GABOR_CELLS_PER_RADIUS, node.x, node.z};
 }
 
 GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborImplAxis axis, int i) {
@@ -307,35 +308,36 @@ GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborImplAxis axis, int i) {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
 // `scale`: the frequency along each axis.
 GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborImplNode x, GaborImplNode y, GaborImplNode z, gabor_vec3 scale,
-                                  float moment, GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
+                                  float evolution, GaborImplTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborImplStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 window = gabor_vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, evolution, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, evolution, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.third, evolution, column * row.z);
 }
 
-// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+// The sum over 27 nodes. Lengths are in units of GABOR_CELLS_PER_RADIUS node spacings.
 GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborImplTangents tangents, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_CELLS_PER_RADIUS);
     GaborImplAxis y =
-        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+        gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
+                        GABOR_CELLS_PER_RADIUS);
     GaborImplAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0f,
-                                      GABOR_RADIUS);
-    gabor_vec3 stretch = place.radius / GABOR_RADIUS, scale = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) / stretch;
+                                      GABOR_CELLS_PER_RADIUS);
+    gabor_vec3 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS, scale = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) / stretch;
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = 0; i < 9; ++i) {
         GaborImplNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
                                      row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
                                      row);
     }
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
@@ -360,7 +362,7 @@ GABOR_INLINE GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, gabo
     for (int i = aside > 0.25f ? 0 : 1; i < (aside < 0.5f ? 2 : 1); ++i) {
         float power = gabor_impl_takeover(i == 0 ? gabor_cpp_smoothstep(0.25f, 0.5f, aside) : 1.0f - gabor_cpp_smoothstep(0.25f, 0.5f, aside));
         gabor_impl_add_field_3d(sum, gabor_impl_isotropic(place, frequency, gabor_impl_tangents(normal, i),
-                                                          gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power), gabor_vec3(1.0f));
+                                                          gabor_derived_seed(seed, i)), gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }
     return sum;
 }

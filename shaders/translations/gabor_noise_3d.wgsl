@@ -11,7 +11,7 @@
 //     the same without a direction             gabor_noise_3d_isotropic
 //     noise along a direction on any mesh      gabor_noise_surface
 //     the same without a direction             gabor_field_surface_isotropic
-//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     derivatives, periods, an evolution       a place, then gabor_field_3d and so on
 //     noise averaged over a pixel              gabor_filter_3d.wgsl
 //
 // Arguments of all functions, besides those of gabor_noise.wgsl:
@@ -24,13 +24,13 @@
 
 const_assert GABOR_TAPS == 3; // gabor_noise_3d.wgsl needs GABOR_TAPS 3
 
-// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
 struct GaborPlace3d {
     cell: vec3i,
     local: vec3f,
-    radius: vec3f,
+    cells_per_radius: vec3f,
     period: vec3i,
-    moment: f32,
+    evolution: f32,
 }
 
 // fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d
@@ -76,17 +76,17 @@ struct GaborField3d {
 // ====================================================================================================================
 
 fn gabor_place_3d(cell: vec3i, local: vec3f) -> GaborPlace3d {
-    return GaborPlace3d(cell, local, vec3f(GABOR_RADIUS), vec3i(0), 0.0);
+    return GaborPlace3d(cell, local, vec3f(GABOR_CELLS_PER_RADIUS), vec3i(0), 0.0);
 }
 
 fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d {
-    return gabor_place_3d(vec3i(0), p * GABOR_RADIUS);
+    return gabor_place_3d(vec3i(0), p * GABOR_CELLS_PER_RADIUS);
 }
 
 fn gabor_place_3d_tiled(p: vec3f, period: vec3f) -> GaborPlace3d {
     let xy = gabor_place_tiled(p.xy, period.xy); let z = gabor_place_tiled(p.zz, period.zz);
-    return GaborPlace3d(vec3i(0), vec3f(xy.local, z.local.x), vec3f(xy.radius, z.radius.x), vec3i(xy.period, z.period.x),
-                        0.0);
+    return GaborPlace3d(vec3i(0), vec3f(xy.local, z.local.x), vec3f(xy.cells_per_radius, z.cells_per_radius.x),
+                        vec3i(xy.period, z.period.x), 0.0);
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
@@ -122,23 +122,23 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-fn gabor_impl_sum_slice(x: GaborImplAxis, y_in: GaborImplAxis, z_in: GaborImplAxis, k: i32, moment: f32,
+fn gabor_impl_sum_slice(x: GaborImplAxis, y_in: GaborImplAxis, z_in: GaborImplAxis, k: i32, evolution: f32,
                         sum: ptr<function, vec4f>, slope: ptr<function, vec4f>) {
     var y = y_in;
     var z = z_in;
     for (var j = 0; j < 3; j++) {
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     }
-    gabor_impl_sum(x, y, moment, sum, slope);
+    gabor_impl_sum(x, y, evolution, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
 fn gabor_impl_add_slice(sum: ptr<function, vec4f>, slopes: ptr<function, vec4f>, x: GaborImplAxis, y: GaborImplAxis,
-                        z_in: GaborImplAxis, k: i32, moment: f32) {
+                        z_in: GaborImplAxis, k: i32, evolution: f32) {
     var z = z_in;
     var slice: vec4f; var slope: vec4f;
-    gabor_impl_sum_slice(x, y, z, k, moment, &slice, &slope);
+    gabor_impl_sum_slice(x, y, z, k, evolution, &slice, &slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     *slopes += vec4f(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
 }
@@ -157,23 +157,24 @@ fn gabor_impl_field_3d(sum_in: vec4f, slopes_in: vec4f, turn_in: vec2f, wave: ve
                         sum.x, vec3f(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
+// With periods, nodes are not 1 / GABOR_CELLS_PER_RADIUS kernel radii apart, so all lengths here are in units of
+// GABOR_CELLS_PER_RADIUS node spacings.
 fn gabor_field_3d(place: GaborPlace3d, wave_in: vec3f, seed: u32) -> GaborField3d {
     var wave = wave_in;
-    let stretch = place.radius / GABOR_RADIUS;
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     wave = clamp(wave, vec3f(-1.0e6), vec3f(1.0e6)) / stretch;
     let salt = gabor_impl_salt(seed);
-    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x,
+                            GABOR_CELLS_PER_RADIUS);
     let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                            GABOR_RADIUS);
+                            GABOR_CELLS_PER_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                            GABOR_RADIUS);
+                            GABOR_CELLS_PER_RADIUS);
     let turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     var sum = vec4f(0.0); var slopes = vec4f(0.0);
-    gabor_impl_add_slice(&sum, &slopes, x, y, z, 0, place.moment);
-    gabor_impl_add_slice(&sum, &slopes, x, y, z, 1, place.moment);
-    gabor_impl_add_slice(&sum, &slopes, x, y, z, 2, place.moment);
+    gabor_impl_add_slice(&sum, &slopes, x, y, z, 0, place.evolution);
+    gabor_impl_add_slice(&sum, &slopes, x, y, z, 1, place.evolution);
+    gabor_impl_add_slice(&sum, &slopes, x, y, z, 2, place.evolution);
     var field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -210,7 +211,7 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3f, frequency: f32, direc
     for (var i = select(1, 0, surface.second < 1.0); i < select(1, 2, surface.second > 0.0); i++) {
         let wave = abs(frequency) * select(surface.other, surface.direction, i == 0);
         let power = gabor_impl_takeover(select(surface.second, 1.0 - surface.second, i == 0));
-        gabor_impl_add_field_3d(&sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), sqrt(power), vec3f(1.0));
+        gabor_impl_add_field_3d(&sum, gabor_field_3d(place, wave, gabor_derived_seed(seed, i)), sqrt(power), vec3f(1.0));
     }
     return sum;
 }
@@ -276,8 +277,8 @@ fn gabor_impl_star_3d(tangents: GaborImplTangents, d: vec3f, word: u32) -> Gabor
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the
 // node to the point.
-fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4f, wave: vec4f, moment: f32, word: u32) {
-    let a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+fn gabor_impl_add_wave_3d(sum: ptr<function, GaborField3d>, window: vec4f, wave: vec4f, evolution: f32, word: u32) {
+    let a = gabor_impl_product(gabor_impl_amplitude_at(word, evolution), gabor_impl_wave(wave.w));
     let value = window.w * a;
     (*sum).noise += value.y;
     (*sum).gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz; // 2 pi
@@ -294,7 +295,7 @@ struct GaborImplNode {
 
 fn gabor_impl_node(axis: GaborImplAxis, i: i32) -> GaborImplNode {
     let node = select(select(axis.node[2], axis.node[1], i == 1), axis.node[0], i == 0);
-    return GaborImplNode((axis.offset + 1.0 - f32(i)) / GABOR_RADIUS, node.x, node.z);
+    return GaborImplNode((axis.offset + 1.0 - f32(i)) / GABOR_CELLS_PER_RADIUS, node.x, node.z);
 }
 
 fn gabor_impl_node_word(axis: GaborImplAxis, i: i32) -> u32 {
@@ -304,34 +305,35 @@ fn gabor_impl_node_word(axis: GaborImplAxis, i: i32) -> u32 {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions.
 // `scale`: the frequency along each axis.
 fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplNode, y: GaborImplNode, z: GaborImplNode,
-                                scale: vec3f, moment: f32, tangents: GaborImplTangents, column: u32, row: vec4u) {
+                                scale: vec3f, evolution: f32, tangents: GaborImplTangents, column: u32, row: vec4u) {
     let d = scale * vec3f(x.offset, y.offset, z.offset);
     let star = gabor_impl_star_3d(tangents, d, column * row.w);
     let window = vec4f(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     let unit = vec4f(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.first, moment, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.second, moment, column * row.y);
-    if (!tangents.only) { gabor_impl_add_wave_3d(sum, window, unit * star.third, moment, column * row.z); }
+    gabor_impl_add_wave_3d(sum, window, unit * star.first, evolution, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.second, evolution, column * row.y);
+    if (!tangents.only) { gabor_impl_add_wave_3d(sum, window, unit * star.third, evolution, column * row.z); }
 }
 
-// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+// The sum over 27 nodes. Lengths are in units of GABOR_CELLS_PER_RADIUS node spacings.
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborImplTangents, seed: u32) -> GaborField3d {
     let salt = gabor_impl_salt(seed);
-    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
-    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    let x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_CELLS_PER_RADIUS);
+    let y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
+                            GABOR_CELLS_PER_RADIUS);
     let z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
-                            GABOR_RADIUS);
-    let stretch = place.radius / GABOR_RADIUS; let scale = min(abs(frequency), 1.0e6) / stretch;
+                            GABOR_CELLS_PER_RADIUS);
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS; let scale = min(abs(frequency), 1.0e6) / stretch;
     var sum = GaborField3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0);
     for (var i = 0; i < 9; i++) {
         let y_j = gabor_impl_node(y, i % 3); let z_k = gabor_impl_node(z, i / 3);
         let row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0],
+        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.evolution, tangents, x.word[0],
                                      row);
-        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1],
+        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.evolution, tangents, x.word[1],
                                      row);
-        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2],
+        gabor_impl_add_node_waves_3d(&sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.evolution, tangents, x.word[2],
                                      row);
     }
     var field = GaborField3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), 0.0);
@@ -357,7 +359,7 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal_in: vec3f, frequenc
     for (var i = select(1, 0, aside > 0.25); i < select(1, 2, aside < 0.5); i++) {
         let power = gabor_impl_takeover(select(1.0 - smoothstep(0.25, 0.5, aside), smoothstep(0.25, 0.5, aside), i == 0));
         gabor_impl_add_field_3d(&sum, gabor_impl_isotropic(place, frequency, gabor_impl_tangents(normal, i),
-                                                          gabor_lobe_seed(seed, i)), sqrt(power), vec3f(1.0));
+                                                          gabor_derived_seed(seed, i)), sqrt(power), vec3f(1.0));
     }
     return sum;
 }

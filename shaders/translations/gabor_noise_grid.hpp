@@ -37,14 +37,14 @@ struct GaborGrid {
     double step = 1.0 / 32;               // kernel radii from pixel to pixel, above 0
     gabor_vec2 wave = gabor_vec2(0.0f);   // the wave vector in cycles per kernel radius
     gabor_vec2 period = gabor_vec2(0.0f); // kernel radii, as in gabor_place_tiled; 0 for none
-    float moment = 0.0f;                  // time in an animation of period 1
+    float evolution = 0.0f;               // in turns, as in gabor_noise_animated
     std::uint32_t seed = 0u;
 };
 
 // void gabor_noise_grid(const GaborGrid& grid, float* noise)
 //     Writes height rows of width values.
 
-// void gabor_noise_grid_complex(const GaborGrid& grid, float* quadrature, float* noise)
+// void gabor_noise_grid_quadrature(const GaborGrid& grid, float* noise, float* quadrature)
 //     The noise and its quadrature.
 
 // void gabor_noise_grid_gradient(const GaborGrid& grid, float* noise, float* along_x, float* along_y)
@@ -106,7 +106,7 @@ inline GaborGridAxis gabor_impl_grid_axis(double first, double step, std::size_t
             const gabor_vec4 both = here.node[k];
             const gabor_vec2 value = gabor_impl_product(both.xy(), turn);
             axis.factor[k].set(i, value);
-            axis.slope[k].set(i, radius / GABOR_RADIUS * gabor_impl_product(both.zw(), turn) +
+            axis.slope[k].set(i, radius / GABOR_CELLS_PER_RADIUS * gabor_impl_product(both.zw(), turn) +
                                      6.2831853f * wave * gabor_vec2(-value.y, value.x));
         }
     }
@@ -116,10 +116,10 @@ inline GaborGridAxis gabor_impl_grid_axis(double first, double step, std::size_t
 
 // The amplitudes of a row of nodes.
 inline void gabor_impl_grid_amplitudes(const std::vector<std::uint32_t>& words, std::uint32_t row,
-                                       float moment, GaborGridNumbers& amplitudes) {
+                                       float evolution, GaborGridNumbers& amplitudes) {
     float* const real = amplitudes.real.data();
     float* const imaginary = amplitudes.imaginary.data();
-    if (moment == 0.0f) // a loop that becomes vectors
+    if (evolution == 0.0f) // a loop that becomes vectors
         for (std::size_t i = 0; i < words.size(); ++i) {
             const gabor_vec2 z = gabor_impl_amplitude(words[i] * row);
             real[i] = z.x;
@@ -127,7 +127,7 @@ inline void gabor_impl_grid_amplitudes(const std::vector<std::uint32_t>& words, 
         }
     else
         for (std::size_t i = 0; i < words.size(); ++i)
-            amplitudes.set(i, gabor_impl_amplitude_at(words[i] * row, moment));
+            amplitudes.set(i, gabor_impl_amplitude_at(words[i] * row, evolution));
 }
 
 // For each run of columns, sum_j Y_j A_kj.
@@ -182,9 +182,10 @@ inline void gabor_impl_grid(const GaborGrid& grid, float* quadrature, float* noi
     const std::uint32_t salt = gabor_impl_salt(grid.seed);
     const float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     const GaborGridAxis x = gabor_impl_grid_axis(grid.x, grid.step, grid.width, place.period.x, salt, wave.x,
-                                                 place.radius.x, 1.0f);
-    const GaborGridAxis y = gabor_impl_grid_axis(grid.y, grid.step, grid.height, place.period.y,
-                                                 salt ^ GABOR_IMPL_ROWS, wave.y, place.radius.y, scale);
+                                                 place.cells_per_radius.x, 1.0f);
+    const GaborGridAxis y =
+        gabor_impl_grid_axis(grid.y, grid.step, grid.height, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                             place.cells_per_radius.y, scale);
     const std::size_t runs = x.word[0].size();
     std::array<std::array<GaborGridNumbers, 3>, 3> amplitude; // [row][column] of the nine nodes
     std::array<GaborGridNumbers, 3> sums, sloping;
@@ -203,7 +204,7 @@ inline void gabor_impl_grid(const GaborGrid& grid, float* quadrature, float* noi
     for (std::size_t band = 0; band < y.word[0].size(); ++band) {
         for (int j = 0; j < 3; ++j)
             for (int k = 0; k < 3; ++k)
-                gabor_impl_grid_amplitudes(x.word[k], y.word[j][band], grid.moment, amplitude[j][k]);
+                gabor_impl_grid_amplitudes(x.word[k], y.word[j][band], grid.evolution, amplitude[j][k]);
         for (std::size_t row = y.run[band]; row < y.run[band + 1]; ++row) {
             gabor_impl_grid_row(amplitude, runs, y.factor, row, sums);
             if (noise)
@@ -224,7 +225,7 @@ inline void gabor_noise_grid(const GaborGrid& grid, float* noise) {
     gabor_impl_grid(grid, nullptr, noise, nullptr, nullptr);
 }
 
-inline void gabor_noise_grid_complex(const GaborGrid& grid, float* quadrature, float* noise) {
+inline void gabor_noise_grid_quadrature(const GaborGrid& grid, float* noise, float* quadrature) {
     gabor_impl_grid(grid, quadrature, noise, nullptr, nullptr);
 }
 

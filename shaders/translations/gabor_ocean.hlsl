@@ -61,12 +61,12 @@ struct GaborOcean {
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    int loop;        // the seconds after which all repeats, or 0 for never
+    int loop_seconds; // all repeats after so many, or 0 for never
     float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
     GaborOceanBand band[GABOR_OCEAN_BANDS + 1]; // the swell is the last
 };
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop)
+// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the
 //     JONSWAP spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a
 //     remote storm, has a narrow spread of directions and a sharp peak [G10]; float3(0.0) is none. For films, all repeats
@@ -80,17 +80,18 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
+                    // with foam below 0.7
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
-GaborWater GaborWater_of(float height, float2 slope, float2 shift, float fold, float3 lost)
+GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobian, float3 lost)
 {
     GaborWater made;
     made.height = height;
     made.slope = slope;
     made.shift = shift;
-    made.fold = fold;
+    made.jacobian = jacobian;
     made.lost = lost;
     return made;
 }
@@ -105,7 +106,8 @@ GaborWater GaborWater_of(float height, float2 slope, float2 shift, float fold, f
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean,
 //                            uint seed)
-//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     float2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
@@ -264,13 +266,13 @@ void gabor_impl_band_knots(float low, float whole, GaborImplJonswap sea, out flo
     early -= float3(0.0, early.xy);
 }
 
-GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop) {
+GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds) {
     GaborOcean ocean;
     ocean.wind = clamp(wind, 2.0, 30.0);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = float3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop = loop > 0 ? int(1u << uint(log2(float(clamp(loop, 8, 4096))) + 0.0002)) : 0;
+    ocean.loop_seconds = loop_seconds > 0 ? int(1u << uint(log2(float(clamp(loop_seconds, 8, 4096))) + 0.0002)) : 0;
     ocean.tail = float2(0.00316, 0.00192) * ocean.wind + float2(0.0, 0.003); // [CM54]
     GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch);
     int octave = int(floor(log2(0.62 * sea.peak / GABOR_IMPL_TICK)));
@@ -305,7 +307,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell
         band.spread = spread.spread;
         band.widen = spread.widen;
         // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
-        float speed = ocean.loop > 0 ? 0.0
+        float speed = ocean.loop_seconds > 0 ? 0.0
                                      : 32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
                                            * exp2(-float(band.exponent));
         band.drift = (int2)(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5)); // 1/(2 pi)
@@ -466,16 +468,17 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
     GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
     float3 squeeze = (float3)(0.0);
     // 1.52587890625e-5 is 2^-16
-    float2 quantum = ocean.loop > 0 ? float2(float(65536 / max(ocean.loop, 1)), 1.52587890625e-5 * float(ocean.loop))
+    float2 quantum = ocean.loop_seconds > 0
+        ? float2(float(65536 / max(ocean.loop_seconds, 1)), 1.52587890625e-5 * float(ocean.loop_seconds))
                                   : (float2)(1.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
         gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum,
-                            least, cell, local, second, fraction, dx, dy, gabor_lobe_seed(seed, remote ? 12 : i));
+                            least, cell, local, second, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
     }
-    water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    water.jacobian = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = float3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
     return water;
 }

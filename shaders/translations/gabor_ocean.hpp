@@ -51,12 +51,12 @@ struct GaborOcean {
     float direction; // where the waves go: radians from +x towards +y
     float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     gabor_vec3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    int loop;        // the seconds after which all repeats, or 0 for never
+    int loop_seconds; // all repeats after so many, or 0 for never
     gabor_vec2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
     GaborOceanBand band[GABOR_OCEAN_BANDS + 1] = {}; // the swell is the last
 };
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop)
+// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, vec3 swell, int loop_seconds)
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the
 //     JONSWAP spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a
 //     remote storm, has a narrow spread of directions and a sharp peak [G10]; vec3(0.0) is none. For films, all repeats
@@ -70,7 +70,8 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p
     gabor_vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float fold;    // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
+                    // with foam below 0.7
     gabor_vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 // GaborWater gabor_water(vec2 p, float seconds, GaborOcean ocean, uint seed)
@@ -84,7 +85,8 @@ struct GaborWater {
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean,
 //                            uint seed)
-//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     vec2(0.0) do not filter.
 
 // [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
@@ -216,13 +218,13 @@ GABOR_INLINE void gabor_impl_band_knots(float low, float whole, GaborImplJonswap
     early -= gabor_vec3(0.0f, early.xy());
 }
 
-GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch, gabor_vec3 swell, int loop) {
+GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch, gabor_vec3 swell, int loop_seconds) {
     GaborOcean ocean;
     ocean.wind = gabor_cpp_clamp(wind, 2.0f, 30.0f);
     ocean.direction = direction;
     ocean.fetch = gabor_cpp_clamp(fetch, 1.0e3f, 1.0e6f);
     ocean.swell = gabor_vec3(gabor_cpp_clamp(swell.x, 0.0f, 30.0f), gabor_cpp_clamp(swell.y, 5.0f, 25.0f), swell.z);
-    ocean.loop = loop > 0 ? int(1u << std::uint32_t(gabor_cpp_log2(float(gabor_cpp_clamp(loop, 8, 4096))) + 0.0002f)) : 0;
+    ocean.loop_seconds = loop_seconds > 0 ? int(1u << std::uint32_t(gabor_cpp_log2(float(gabor_cpp_clamp(loop_seconds, 8, 4096))) + 0.0002f)) : 0;
     ocean.tail = gabor_vec2(0.00316f, 0.00192f) * ocean.wind + gabor_vec2(0.0f, 0.003f); // [CM54]
     GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch);
     int octave = int(gabor_cpp_floor(gabor_cpp_log2(0.62f * sea.peak / GABOR_IMPL_TICK)));
@@ -257,7 +259,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch,
         band.spread = spread.spread;
         band.widen = spread.widen;
         // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
-        float speed = ocean.loop > 0 ? 0.0f
+        float speed = ocean.loop_seconds > 0 ? 0.0f
                                      : 32768.0f * GABOR_IMPL_GRAVITY / (12.566371f * GABOR_IMPL_TICK * low * 1.1892071f)
                                            * gabor_cpp_exp2(-float(band.exponent));
         band.drift = gabor_ivec2(gabor_cpp_floor(speed * gabor_impl_wave(0.15915494f * direction) + 0.5f)); // 1/(2 pi)
@@ -396,16 +398,17 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_impl_slopes_along(ocean.tail, wind)};
     gabor_vec3 squeeze = gabor_vec3(0.0f);
     // 1.52587890625e-5 is 2^-16
-    gabor_vec2 quantum = ocean.loop > 0 ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop, 1)), 1.52587890625e-5f * float(ocean.loop))
+    gabor_vec2 quantum = ocean.loop_seconds > 0
+        ? gabor_vec2(float(65536 / gabor_cpp_max(ocean.loop_seconds, 1)), 1.52587890625e-5f * float(ocean.loop_seconds))
                                   : gabor_vec2(1.0f);
     float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
     float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     for (int i = 0; i < (ocean.swell.x > 0.0f ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
         bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
         gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum,
-                            least, cell, local, second, fraction, dx, dy, gabor_lobe_seed(seed, remote ? 12 : i));
+                            least, cell, local, second, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
     }
-    water.fold = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    water.jacobian = (1.0f - squeeze.x) * (1.0f - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = gabor_vec3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
     return water;
 }

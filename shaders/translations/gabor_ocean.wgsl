@@ -39,12 +39,12 @@ struct GaborOcean {
     direction: f32,                                     // where the waves go: radians from +x towards +y
     fetch: f32,                                         // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
     swell: vec3f,                                       // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    loop_: i32,                                         // the seconds after which all repeats, or 0 for never
+    loop_seconds: i32,                                  // all repeats after so many, or 0 for never
     tail: vec2f,                                        // variance of the slopes of waves shorter than all bands, along the wind and across it
     band: array<GaborOceanBand, GABOR_OCEAN_BANDS + 1>, // the swell is the last
 }
 // fn gabor_ocean(wind: f32) -> GaborOcean
-// fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3f, loop: i32) -> GaborOcean
+// fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32, swell: vec3f, loop_seconds: i32) -> GaborOcean
 //     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the
 //     JONSWAP spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a
 //     remote storm, has a narrow spread of directions and a sharp peak [G10]; vec3f(0.0) is none. For films, all repeats
@@ -55,11 +55,12 @@ struct GaborOcean {
 
 // The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
-    height: f32,  // metres, of mean 0 and normally distributed
-    slope: vec2f, // derivatives of the height by p
-    shift: vec2f, // horizontal displacement in metres, towards crests, which it sharpens
-    fold: f32,    // determinant of the derivative of p + shift, within 0.1, or 0.2 for a fetch of 1 km: foam below 0.7
-    lost: vec3f,  // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
+    height: f32,   // metres, of mean 0 and normally distributed
+    slope: vec2f,  // derivatives of the height by p
+    shift: vec2f,  // horizontal displacement in metres, towards crests, which it sharpens
+    jacobian: f32, // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
+                   // with foam below 0.7
+    lost: vec3f,   // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 }
 // fn gabor_water(p: vec2f, seconds: f32, ocean: GaborOcean, seed: u32) -> GaborWater
 //     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
@@ -72,7 +73,8 @@ struct GaborWater {
 //     The height of the water above the fixed point p, where a boat floats: six evaluations.
 // fn gabor_water_at(cell: vec2i, local: vec2f, second: i32, fraction: f32, dx: vec2f, dy: vec2f, GaborOcean ocean, -> GaborWater
 //                            u32 seed)
-//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
+//     of
 //     vec2f(0.0) do not filter.
 
 // [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
@@ -205,14 +207,14 @@ fn gabor_impl_band_knots(low: f32, whole: f32, sea: GaborImplJonswap, early: ptr
     *early -= vec3f(0.0, (*early).xy);
 }
 
-fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_: i32) -> GaborOcean {
+fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_seconds: i32) -> GaborOcean {
     var direction = direction_in;
     var ocean: GaborOcean;
     ocean.wind = clamp(wind, 2.0, 30.0);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
     ocean.swell = vec3f(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop_ = select(0, i32(1u << u32(log2(f32(clamp(loop_, 8, 4096))) + 0.0002)), loop_ > 0);
+    ocean.loop_seconds = select(0, i32(1u << u32(log2(f32(clamp(loop_seconds, 8, 4096))) + 0.0002)), loop_seconds > 0);
     ocean.tail = vec2f(0.00316, 0.00192) * ocean.wind + vec2f(0.0, 0.003); // [CM54]
     var sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch);
     let octave = i32(floor(log2(0.62 * sea.peak / GABOR_IMPL_TICK)));
@@ -249,7 +251,7 @@ fn gabor_ocean_of(wind: f32, direction_in: f32, fetch: f32, swell: vec3f, loop_:
         // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
         let speed = select(32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
                                          * exp2(-f32(band.exponent)),
-                    0.0, ocean.loop_ > 0);
+                    0.0, ocean.loop_seconds > 0);
         band.drift = vec2i(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5)); // 1/(2 pi)
         ocean.band[i] = band;
     }
@@ -389,15 +391,16 @@ fn gabor_water_at(cell: vec2i, local: vec2f, second: i32, fraction: f32, dx: vec
     var squeeze = vec3f(0.0);
     // 1.52587890625e-5 is 2^-16
     let quantum = select(vec2f(1.0),
-                  vec2f(f32(65536 / max(ocean.loop_, 1)), 1.52587890625e-5 * f32(ocean.loop_)), ocean.loop_ > 0);
+                  vec2f(f32(65536 / max(ocean.loop_seconds, 1)), 1.52587890625e-5 * f32(ocean.loop_seconds)),
+                  ocean.loop_seconds > 0);
     let area = dx.x * dy.y - dx.y * dy.x; let sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     let least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (var i = 0; i < select(GABOR_OCEAN_BANDS, GABOR_OCEAN_BANDS + 1, ocean.swell.x > 0.0); i++) {
         let remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
         gabor_impl_add_band(&water, &squeeze, ocean.band[i], remote || (i > 0 && i < 4), select(wind, swell, remote), quantum,
-                            least, cell, local, second, fraction, dx, dy, gabor_lobe_seed(seed, select(i, 12, remote)));
+                            least, cell, local, second, fraction, dx, dy, gabor_derived_seed(seed, select(i, 12, remote)));
     }
-    water.fold = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
+    water.jacobian = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = vec3f(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
     return water;
 }

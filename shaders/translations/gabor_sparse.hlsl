@@ -28,8 +28,8 @@
 #define GABOR_IMPULSES 1
 #endif
 // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
-#ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0
+#ifndef GABOR_CELLS_PER_RADIUS
+#define GABOR_CELLS_PER_RADIUS 1.0
 #endif
 // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability.
 #ifndef GABOR_WEIGHT_FLOOR
@@ -59,43 +59,44 @@
 // float gabor_noise(float2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
+//     value. Cost: (ceil(2 GABOR_CELLS_PER_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 or more.
+// float2 gabor_noise_quadrature(float2 p, float frequency, float orientation, uint seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
-// float2 gabor_phasor(float2 value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// float2 gabor_turns_intensity(float2 noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+// float gabor_noise_animated(float2 p, float evolution, float frequency, float orientation, uint seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- For large worlds, and for periods that evolve -----------------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -113,39 +114,42 @@ GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor)
     return made;
 }
 
-// A position in cells, with a period and a time.
+// A position in cells, with a period and an evolution.
 struct GaborPlace {
     int2 cell;   // any integers except the last few before 2^31, where the world wraps around
     float2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
-    float2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    float2 cells_per_radius; // along each axis: GABOR_CELLS_PER_RADIUS, or as little as half of it to fit a period
     int2 period; // period in cells, 0 for none
-    float moment; // time in periods: only its fraction counts
+    float evolution; // as in gabor_noise_animated, in turns: only its fraction counts
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment)
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 period, float evolution)
 {
     GaborPlace made;
     made.cell = cell;
     made.local = local;
-    made.radius = radius;
+    made.cells_per_radius = cells_per_radius;
     made.period = period;
-    made.moment = moment;
+    made.evolution = evolution;
     return made;
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
-    float2 value;
-    float2 slope_x;
-    float2 slope_y;
+    float noise;
+    float2 gradient;
+    float quadrature;
+    float2 quadrature_gradient;
 };
 
-GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
+GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient)
 {
     GaborField made;
-    made.value = value;
-    made.slope_x = slope_x;
-    made.slope_y = slope_y;
+    made.noise = noise;
+    made.gradient = gradient;
+    made.quadrature = quadrature;
+    made.quadrature_gradient = quadrature_gradient;
     return made;
 }
 
@@ -154,8 +158,8 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //     calls.
 
 // GaborPlace gabor_place(int2 cell, float2 local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
@@ -181,7 +185,7 @@ float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, 
     return float(n + phases) + r + a + window.x;
 }
 float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_CELLS_PER_RADIUS, GABOR_WEIGHT_FLOOR,
                                                             GABOR_PHASES, GABOR_WINDOW);
 }
 
@@ -219,7 +223,7 @@ uint gabor_impl_impulse_word(int column, uint row_word, int index) {
 struct GaborImplImpulse {
     float2 position_plus_one;
     float phase;      // phase in turns
-    float phase_rate; // turns per unit of time: -4 to -1 or 1 to 4
+    float phase_rate; // turns per turn of the evolution: -4 to -1 or 1 to 4
     float magnitude;  // magnitude of the weight
 };
 
@@ -351,13 +355,13 @@ int gabor_impl_wrap(int cell, int period) {
     return cell;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
-    if (GABOR_PHASES != 2 || moment == 0.0)
+// The gain that keeps the variance of sine kernels at 1 while their phases turn. An evolution t multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k t) = 1 - 2 sin^2(2 pi k t) over the phase rates k.
+float gabor_impl_phase_gain(GaborKernel kernel_, float evolution) {
+    if (GABOR_PHASES != 2 || evolution == 0.0)
         return 1.0;
-    float4 sines = float4(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
-                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
+    float4 sines = float4(gabor_impl_sine(evolution), gabor_impl_sine(2.0 * evolution),
+                      gabor_impl_sine(3.0 * evolution), gabor_impl_sine(4.0 * evolution));
     float u = 0.5 * dot(sines, sines);
     return rsqrt(1.0 + u * (1.0 - kernel_.variance_factor) / kernel_.variance_factor);
 }
@@ -365,7 +369,7 @@ float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GaborPlace gabor_place(int2 cell, float2 local) {
-    return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), 0.0);
+    return GaborPlace_of(cell, local, (float2)(GABOR_CELLS_PER_RADIUS), (int2)(0), 0.0);
 }
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
@@ -374,7 +378,7 @@ GaborPlace gabor_place(int2 cell, float2 local) {
 GaborKernel gabor_kernel(float frequency, float orientation) {
     float2 wave = min(abs(frequency) > 1.0e-6 ? abs(frequency) : 1.0e-6, 1.0e6) * gabor_impl_direction(orientation);
     GaborImplEnergy energy = gabor_impl_energy();
-    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float density = float(GABOR_IMPULSES) * GABOR_CELLS_PER_RADIUS * GABOR_CELLS_PER_RADIUS;
     float power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
     float amplitude = rsqrt(0.5 * density * power * energy.sum * energy.sum);
     if (GABOR_PHASES != 2)
@@ -386,16 +390,16 @@ GaborKernel gabor_kernel(float frequency, float orientation) {
 }
 
 GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
-    int visited = int(ceil(2.0 * GABOR_RADIUS)) + 1;
+    int visited = int(ceil(2.0 * GABOR_CELLS_PER_RADIUS)) + 1;
     float2 whole = floor(place.local);
     float2 local = clamp(place.local - whole, 0.0, 1.0); // the clamp matters only if a compiler fuses this with a product
-    float2 first = floor(local - place.radius);
+    float2 first = floor(local - place.cells_per_radius);
     int2 cell = place.cell + (int2)(whole + first);
     first -= 1.0; // undoes the 1 of position_plus_one
-    float2 cell_side = 1.0 / place.radius;
-    float moment = frac(place.moment);
+    float2 cell_side = 1.0 / place.cells_per_radius;
+    float evolution = frac(place.evolution);
     uint seed_word = gabor_impl_seed_word(seed);
-    GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
+    float2 sum = (float2)(0.0), slope_x = (float2)(0.0), slope_y = (float2)(0.0); // each (quadrature, noise)
     for (int j = 0; j < visited; ++j) {
         uint row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         for (int i = 0; i < visited; ++i) {
@@ -408,61 +412,66 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    float turns = dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * moment;
+                    float turns = dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * evolution;
                     float2 x = gabor_impl_window(d.x);
                     float2 y = gabor_impl_window(d.y);
                     float2 wave = impulse.magnitude * float2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     float2 turned = (6.2831853 * x.x * y.x) * float2(-wave.y, wave.x);
-                    sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
+                    sum += (x.x * y.x) * wave;
+                    slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
+                    slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel_.amplitude * GABOR_RADIUS * rsqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel_, moment);
-    return GaborField_of(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
+    float scale = kernel_.amplitude * GABOR_CELLS_PER_RADIUS
+        * rsqrt(place.cells_per_radius.x * place.cells_per_radius.y)
+                * gabor_impl_phase_gain(kernel_, evolution);
+    return GaborField_of(scale * sum.y, scale * float2(slope_x.y, slope_y.y), scale * sum.x,
+                      scale * float2(slope_x.x, slope_y.x));
 }
 
 float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed) {
-    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
+    return gabor_field(gabor_place(cell, local), kernel_, seed).noise;
 }
 
 float gabor_noise(float2 p, float frequency, float orientation, uint seed) {
-    return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_noise_at((int2)(0), p * GABOR_CELLS_PER_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed) {
-    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return float3(field.value.y, field.slope_x.y, field.slope_y.y);
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return float3(field.noise, field.gradient);
 }
 
-float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed) {
-    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+float2 gabor_noise_quadrature(float2 p, float frequency, float orientation, uint seed) {
+    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return float2(field.noise, field.quadrature);
 }
 
-float2 gabor_phasor(float2 value) {
-    float intensity = length(value);
-    float phase = intensity > 0.0 ? atan2(value.y, value.x) * 0.15915494 : 0.0; // 1/(2 pi)
+float2 gabor_turns_intensity(float2 noise_quadrature) {
+    float intensity = length(noise_quadrature.yx);
+    float phase = intensity > 0.0 ? atan2(noise_quadrature.x, noise_quadrature.y) * 0.15915494 : 0.0; // 1/(2 pi)
     return float2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity); // 1 - 2^-24
 }
 
 float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
     period = max(period, (float2)(2.0));
-    float2 cells = floor(period * GABOR_RADIUS);
-    float2 radius = cells / period;
+    float2 cells = floor(period * GABOR_CELLS_PER_RADIUS);
+    float2 density = cells / period;
     float2 within = p - floor(p / period) * period;
-    GaborPlace place = GaborPlace_of((int2)(0), within * radius, radius, (int2)(cells), 0.0);
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+    GaborPlace place = GaborPlace_of((int2)(0), within * density, density, (int2)(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
-float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
-    place.moment = moment;
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+float gabor_noise_animated(float2 p, float evolution, float frequency, float orientation, uint seed) {
+    GaborPlace place = gabor_place((int2)(0), p * GABOR_CELLS_PER_RADIUS);
+    place.evolution = evolution;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
 float gabor_unorm(float noise) {

@@ -33,8 +33,8 @@
 #define GABOR_IMPULSES 1
 #endif
 // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
-#ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0f
+#ifndef GABOR_CELLS_PER_RADIUS
+#define GABOR_CELLS_PER_RADIUS 1.0f
 #endif
 // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability.
 #ifndef GABOR_WEIGHT_FLOOR
@@ -64,43 +64,44 @@
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
+//     value. Cost: (ceil(2 GABOR_CELLS_PER_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 or more.
+// vec2 gabor_noise_quadrature(vec2 p, float frequency, float orientation, uint seed)
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
-// vec2 gabor_phasor(vec2 value)
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// vec2 gabor_turns_intensity(vec2 noise_quadrature)
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+// float gabor_noise_animated(vec2 p, float evolution, float frequency, float orientation, uint seed)
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- For large worlds, and for periods that evolve -----------------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -109,20 +110,22 @@ struct GaborKernel {
     float variance_factor; // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 };
 
-// A position in cells, with a period and a time.
+// A position in cells, with a period and an evolution.
 struct GaborPlace {
     gabor_ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
     gabor_vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
-    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
+    gabor_vec2 cells_per_radius; // along each axis: GABOR_CELLS_PER_RADIUS, or as little as half of it to fit a period
     gabor_ivec2 period; // period in cells, 0 for none
-    float moment; // time in periods: only its fraction counts
+    float evolution; // as in gabor_noise_animated, in turns: only its fraction counts
 };
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
-    gabor_vec2 value;
-    gabor_vec2 slope_x;
-    gabor_vec2 slope_y;
+    float noise;
+    gabor_vec2 gradient;
+    float quadrature;
+    gabor_vec2 quadrature_gradient;
 };
 
 // GaborKernel gabor_kernel(float frequency, float orientation)
@@ -130,8 +133,8 @@ struct GaborField {
 //     calls.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
@@ -157,7 +160,7 @@ GABOR_INLINE float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float
     return float(n + phases) + r + a + window.x;
 }
 GABOR_INLINE float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_CELLS_PER_RADIUS, GABOR_WEIGHT_FLOOR,
                                                             GABOR_PHASES, GABOR_WINDOW);
 }
 
@@ -195,7 +198,7 @@ GABOR_INLINE std::uint32_t gabor_impl_impulse_word(int column, std::uint32_t row
 struct GaborImplImpulse {
     gabor_vec2 position_plus_one;
     float phase;      // phase in turns
-    float phase_rate; // turns per unit of time: -4 to -1 or 1 to 4
+    float phase_rate; // turns per turn of the evolution: -4 to -1 or 1 to 4
     float magnitude;  // magnitude of the weight
 };
 
@@ -308,13 +311,13 @@ GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
     return cell;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
-    if (GABOR_PHASES != 2 || moment == 0.0f)
+// The gain that keeps the variance of sine kernels at 1 while their phases turn. An evolution t multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k t) = 1 - 2 sin^2(2 pi k t) over the phase rates k.
+GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel_, float evolution) {
+    if (GABOR_PHASES != 2 || evolution == 0.0f)
         return 1.0f;
-    gabor_vec4 sines = gabor_vec4(gabor_impl_sine(moment), gabor_impl_sine(2.0f * moment),
-                      gabor_impl_sine(3.0f * moment), gabor_impl_sine(4.0f * moment));
+    gabor_vec4 sines = gabor_vec4(gabor_impl_sine(evolution), gabor_impl_sine(2.0f * evolution),
+                      gabor_impl_sine(3.0f * evolution), gabor_impl_sine(4.0f * evolution));
     float u = 0.5f * gabor_cpp_dot(sines, sines);
     return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel_.variance_factor) / kernel_.variance_factor);
 }
@@ -322,7 +325,7 @@ GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
-    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
+    return GaborPlace{cell, local, gabor_vec2(GABOR_CELLS_PER_RADIUS), gabor_ivec2(0), 0.0f};
 }
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
@@ -331,7 +334,7 @@ GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
 GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency) > 1.0e-6f ? gabor_cpp_abs(frequency) : 1.0e-6f, 1.0e6f) * gabor_impl_direction(orientation);
     GaborImplEnergy energy = gabor_impl_energy();
-    float density = float(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    float density = float(GABOR_IMPULSES) * GABOR_CELLS_PER_RADIUS * GABOR_CELLS_PER_RADIUS;
     float power = 0.5f + 0.5f * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
     float amplitude = gabor_cpp_inversesqrt(0.5f * density * power * energy.sum * energy.sum);
     if (GABOR_PHASES != 2)
@@ -343,16 +346,16 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
 }
 
 GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::uint32_t seed) {
-    int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
+    int visited = int(gabor_cpp_ceil(2.0f * GABOR_CELLS_PER_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
     gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // the clamp matters only if a compiler fuses this with a product
-    gabor_vec2 first = gabor_cpp_floor(local - place.radius);
+    gabor_vec2 first = gabor_cpp_floor(local - place.cells_per_radius);
     gabor_ivec2 cell = place.cell + gabor_ivec2(whole + first);
     first -= 1.0f; // undoes the 1 of position_plus_one
-    gabor_vec2 cell_side = 1.0f / place.radius;
-    float moment = gabor_cpp_fract(place.moment);
+    gabor_vec2 cell_side = 1.0f / place.cells_per_radius;
+    float evolution = gabor_cpp_fract(place.evolution);
     std::uint32_t seed_word = gabor_impl_seed_word(seed);
-    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_vec2 sum = gabor_vec2(0.0f), slope_x = gabor_vec2(0.0f), slope_y = gabor_vec2(0.0f); // each (quadrature, noise)
     for (int j = 0; j < visited; ++j) {
         std::uint32_t row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         for (int i = 0; i < visited; ++i) {
@@ -365,61 +368,66 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (gabor_cpp_max(gabor_cpp_abs(d.x), gabor_cpp_abs(d.y)) < 1.0f) {
-                    float turns = gabor_cpp_dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * moment;
+                    float turns = gabor_cpp_dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * evolution;
                     gabor_vec2 x = gabor_impl_window(d.x);
                     gabor_vec2 y = gabor_impl_window(d.y);
                     gabor_vec2 wave = impulse.magnitude * gabor_vec2(gabor_impl_sine(turns + 0.25f), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     gabor_vec2 turned = (6.2831853f * x.x * y.x) * gabor_vec2(-wave.y, wave.x);
-                    sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
+                    sum += (x.x * y.x) * wave;
+                    slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
+                    slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel_.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel_, moment);
-    return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+    float scale = kernel_.amplitude * GABOR_CELLS_PER_RADIUS
+        * gabor_cpp_inversesqrt(place.cells_per_radius.x * place.cells_per_radius.y)
+                * gabor_impl_phase_gain(kernel_, evolution);
+    return GaborField{scale * sum.y, scale * gabor_vec2(slope_x.y, slope_y.y), scale * sum.x,
+                      scale * gabor_vec2(slope_x.x, slope_y.x)};
 }
 
 GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel_, std::uint32_t seed) {
-    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
+    return gabor_field(gabor_place(cell, local), kernel_, seed).noise;
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_noise_at(gabor_ivec2(0), p * GABOR_CELLS_PER_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return gabor_vec3(field.noise, field.gradient);
 }
 
-GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+GABOR_INLINE gabor_vec2 gabor_noise_quadrature(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
+    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_CELLS_PER_RADIUS),
+                                   gabor_kernel(frequency, orientation), seed);
+    return gabor_vec2(field.noise, field.quadrature);
 }
 
-GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
-    float intensity = gabor_cpp_length(value);
-    float phase = intensity > 0.0f ? gabor_cpp_atan(value.y, value.x) * 0.15915494f : 0.0f; // 1/(2 pi)
+GABOR_INLINE gabor_vec2 gabor_turns_intensity(gabor_vec2 noise_quadrature) {
+    float intensity = gabor_cpp_length(noise_quadrature.yx());
+    float phase = intensity > 0.0f ? gabor_cpp_atan(noise_quadrature.x, noise_quadrature.y) * 0.15915494f : 0.0f; // 1/(2 pi)
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity); // 1 - 2^-24
 }
 
 GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
     period = gabor_cpp_max(period, gabor_vec2(2.0f));
-    gabor_vec2 cells = gabor_cpp_floor(period * GABOR_RADIUS);
-    gabor_vec2 radius = cells / period;
+    gabor_vec2 cells = gabor_cpp_floor(period * GABOR_CELLS_PER_RADIUS);
+    gabor_vec2 density = cells / period;
     gabor_vec2 within = p - gabor_cpp_floor(p / period) * period;
-    GaborPlace place = GaborPlace{gabor_ivec2(0), within * radius, radius, gabor_ivec2(cells), 0.0f};
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+    GaborPlace place = GaborPlace{gabor_ivec2(0), within * density, density, gabor_ivec2(cells), 0.0f};
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
-    place.moment = moment;
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float evolution, float frequency, float orientation, std::uint32_t seed) {
+    GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_CELLS_PER_RADIUS);
+    place.evolution = evolution;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
 GABOR_INLINE float gabor_unorm(float noise) {

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// Constants that you may edit: GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES, GABOR_WINDOW.
+// Constants that you may edit: GABOR_IMPULSES, GABOR_CELLS_PER_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES, GABOR_WINDOW.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at
 // every point.
@@ -21,7 +21,7 @@ const GABOR_NOISE_VERSION: i32 = 30000;
 // N, the number of impulses per cell: an i32, at least 1.
 const GABOR_IMPULSES: i32 = 1;
 // R, cells per kernel radius: an f32, at least 1. Loops visit ceil(2 R) + 1 cells per axis.
-const GABOR_RADIUS: f32 = 1.0;
+const GABOR_CELLS_PER_RADIUS: f32 = 1.0;
 // A, an f32 in [0, 1]: weights have magnitude A or 1, with equal probability.
 const GABOR_WEIGHT_FLOOR: f32 = 0.675;
 // Number of phases, evenly spaced over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
@@ -38,43 +38,44 @@ const_assert !(GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_
 // fn gabor_noise(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32
 //     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 //     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//       p            position in kernel radii, |p| < 2^31 / GABOR_CELLS_PER_RADIUS. Float rounding shows earlier: at
+//       10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
+//     value. Cost: (ceil(2 GABOR_CELLS_PER_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec3f
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
-//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 or more.
+// fn gabor_noise_quadrature(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
+//     (noise, quadrature). The quadrature is the same waves with cosines instead of sines: the two are the imaginary
+//     and the real part of a complex noise. At each point they are uncorrelated and have variance 1; with
+//     GABOR_PHASES 2, the quadrature has variance 1 only at frequencies of 1.5 or more.
 
-// fn gabor_phasor(value: vec2f) -> vec2f
-//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-//     is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
+// fn gabor_turns_intensity(noise_quadrature: vec2f) -> vec2f
+//     (phase in turns within [0, 1), intensity) of what gabor_noise_quadrature returns. A profile of the phase, such as
+//     step(phase, width), is a pattern of even contrast [Tricard et al., Procedural phasor noise, 2019].
 
 // fn gabor_noise_tiled(p: vec2f, period: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-//     2, the diameter of a kernel, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_CELLS_PER_RADIUS is an integer, the distribution is also the
+//     same. Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see
+//     docs/recipes.md) is 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to
+//     4.9. A period below 2, the diameter of a kernel, counts as 2.
 
-// fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32
-//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points, the noise hardly changes.
+// fn gabor_noise_animated(p: vec2f, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32
+//     Noise that evolves in place and repeats when `evolution` grows by 1. It always has the statistics of gabor_noise.
+//     Its autocorrelation is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at
+//     0.16. At 3.5 % of all points, the noise hardly changes.
 
 // fn gabor_unorm(noise: f32) -> f32
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- For large worlds, and for periods that evolve -----------------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -83,20 +84,22 @@ struct GaborKernel {
     variance_factor: f32, // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 }
 
-// A position in cells, with a period and a time.
+// A position in cells, with a period and an evolution.
 struct GaborPlace {
-    cell: vec2i,   // any integers except the last few before 2^31, where the world wraps around
-    local: vec2f,  // offset from that cell's corner in cells, most precise in [0, 1)^2
-    radius: vec2f, // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
-    period: vec2i, // period in cells, 0 for none
-    moment: f32,   // time in periods: only its fraction counts
+    cell: vec2i,             // any integers except the last few before 2^31, where the world wraps around
+    local: vec2f,            // offset from that cell's corner in cells, most precise in [0, 1)^2
+    cells_per_radius: vec2f, // along each axis: GABOR_CELLS_PER_RADIUS, or as little as half of it to fit a period
+    period: vec2i,           // period in cells, 0 for none
+    evolution: f32,          // as in gabor_noise_animated, in turns: only its fraction counts
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
+// A noise, its quadrature, and their gradients per kernel radius: see gabor_noise_quadrature. Unused members cost
+// nothing.
 struct GaborField {
-    value: vec2f,
-    slope_x: vec2f,
-    slope_y: vec2f,
+    noise: f32,
+    gradient: vec2f,
+    quadrature: f32,
+    quadrature_gradient: vec2f,
 }
 
 // fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel
@@ -104,8 +107,8 @@ struct GaborField {
 //     calls.
 
 // fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+//     The position (cell + local) / GABOR_CELLS_PER_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells
+//     along each axis.
 
 // fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField
 //     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
@@ -131,7 +134,7 @@ fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phas
     return f32(n + phases) + r + a + window.x;
 }
 fn gabor_impl_check_macros() -> f32 { // a macro of the wrong type fails to compile here
-    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_CELLS_PER_RADIUS, GABOR_WEIGHT_FLOOR,
                                                             GABOR_PHASES, GABOR_WINDOW);
 }
 
@@ -170,7 +173,7 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
 struct GaborImplImpulse {
     position_plus_one: vec2f,
     phase: f32,      // phase in turns
-    phase_rate: f32, // turns per unit of time: -4 to -1 or 1 to 4
+    phase_rate: f32, // turns per turn of the evolution: -4 to -1 or 1 to 4
     magnitude: f32,  // magnitude of the weight
 }
 
@@ -285,14 +288,14 @@ fn gabor_impl_wrap(cell_in: i32, period: i32) -> i32 {
     return cell;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
-    if (GABOR_PHASES != 2 || moment == 0.0) {
+// The gain that keeps the variance of sine kernels at 1 while their phases turn. An evolution t multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k t) = 1 - 2 sin^2(2 pi k t) over the phase rates k.
+fn gabor_impl_phase_gain(kernel: GaborKernel, evolution: f32) -> f32 {
+    if (GABOR_PHASES != 2 || evolution == 0.0) {
         return 1.0;
     }
-    let sines = vec4f(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
-                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
+    let sines = vec4f(gabor_impl_sine(evolution), gabor_impl_sine(2.0 * evolution),
+                      gabor_impl_sine(3.0 * evolution), gabor_impl_sine(4.0 * evolution));
     let u = 0.5 * dot(sines, sines);
     return inverseSqrt(1.0 + u * (1.0 - kernel.variance_factor) / kernel.variance_factor);
 }
@@ -300,7 +303,7 @@ fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace {
-    return GaborPlace(cell, local, vec2f(GABOR_RADIUS), vec2i(0), 0.0);
+    return GaborPlace(cell, local, vec2f(GABOR_CELLS_PER_RADIUS), vec2i(0), 0.0);
 }
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
@@ -309,7 +312,7 @@ fn gabor_place(cell: vec2i, local: vec2f) -> GaborPlace {
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     let wave = min(select(1.0e-6, abs(frequency), abs(frequency) > 1.0e-6), 1.0e6) * gabor_impl_direction(orientation);
     let energy = gabor_impl_energy();
-    let density = f32(GABOR_IMPULSES) * GABOR_RADIUS * GABOR_RADIUS;
+    let density = f32(GABOR_IMPULSES) * GABOR_CELLS_PER_RADIUS * GABOR_CELLS_PER_RADIUS;
     let power = 0.5 + 0.5 * GABOR_WEIGHT_FLOOR * GABOR_WEIGHT_FLOOR; // E[w^2]
     let amplitude = inverseSqrt(0.5 * density * power * energy.sum * energy.sum);
     if (GABOR_PHASES != 2) {
@@ -322,16 +325,16 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
 }
 
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    let visited = i32(ceil(2.0 * GABOR_RADIUS)) + 1;
+    let visited = i32(ceil(2.0 * GABOR_CELLS_PER_RADIUS)) + 1;
     let whole = floor(place.local);
     let local = clamp(place.local - whole, vec2f(0.0), vec2f(1.0)); // the clamp matters only if a compiler fuses this with a product
-    var first = floor(local - place.radius);
+    var first = floor(local - place.cells_per_radius);
     let cell = place.cell + vec2i(whole + first);
     first -= 1.0; // undoes the 1 of position_plus_one
-    let cell_side = 1.0 / place.radius;
-    let moment = fract(place.moment);
+    let cell_side = 1.0 / place.cells_per_radius;
+    let evolution = fract(place.evolution);
     let seed_word = gabor_impl_seed_word(seed);
-    var sum = GaborField(vec2f(0.0), vec2f(0.0), vec2f(0.0));
+    var sum = vec2f(0.0); var slope_x = vec2f(0.0); var slope_y = vec2f(0.0); // each (quadrature, noise)
     for (var j = 0; j < visited; j++) {
         let row_word = gabor_impl_row_word(gabor_impl_wrap(cell.y + j, place.period.y), seed_word);
         for (var i = 0; i < visited; i++) {
@@ -344,62 +347,67 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    let turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * moment;
+                    let turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * evolution;
                     let x = gabor_impl_window(d.x);
                     let y = gabor_impl_window(d.y);
                     let wave = impulse.magnitude * vec2f(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     let turned = (6.2831853 * x.x * y.x) * vec2f(-wave.y, wave.x);
-                    sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
+                    sum += (x.x * y.x) * wave;
+                    slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
+                    slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    let scale = kernel.amplitude * GABOR_RADIUS * inverseSqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel, moment);
-    return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
+    let scale = kernel.amplitude * GABOR_CELLS_PER_RADIUS
+        * inverseSqrt(place.cells_per_radius.x * place.cells_per_radius.y)
+                * gabor_impl_phase_gain(kernel, evolution);
+    return GaborField(scale * sum.y, scale * vec2f(slope_x.y, slope_y.y), scale * sum.x,
+                      scale * vec2f(slope_x.x, slope_y.x));
 }
 
 fn gabor_noise_at(cell: vec2i, local: vec2f, kernel: GaborKernel, seed: u32) -> f32 {
-    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+    return gabor_field(gabor_place(cell, local), kernel, seed).noise;
 }
 
 fn gabor_noise(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    return gabor_noise_at(vec2i(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_noise_at(vec2i(0), p * GABOR_CELLS_PER_RADIUS, gabor_kernel(frequency, orientation), seed);
 }
 
 fn gabor_noise_gradient(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec3f {
-    let field = gabor_field(gabor_place(vec2i(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return vec3f(field.value.y, field.slope_x.y, field.slope_y.y);
+    let field = gabor_field(gabor_place(vec2i(0), p * GABOR_CELLS_PER_RADIUS),
+                            gabor_kernel(frequency, orientation), seed);
+    return vec3f(field.noise, field.gradient);
 }
 
-fn gabor_noise_complex(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
-    return gabor_field(gabor_place(vec2i(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
+fn gabor_noise_quadrature(p: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f {
+    let field = gabor_field(gabor_place(vec2i(0), p * GABOR_CELLS_PER_RADIUS),
+                            gabor_kernel(frequency, orientation), seed);
+    return vec2f(field.noise, field.quadrature);
 }
 
-fn gabor_phasor(value: vec2f) -> vec2f {
-    let intensity = length(value);
-    let phase = select(0.0, atan2(value.y, value.x) * 0.15915494, intensity > 0.0); // 1/(2 pi)
+fn gabor_turns_intensity(noise_quadrature: vec2f) -> vec2f {
+    let intensity = length(noise_quadrature.yx);
+    let phase = select(0.0, atan2(noise_quadrature.x, noise_quadrature.y) * 0.15915494, intensity > 0.0); // 1/(2 pi)
     return vec2f(select(phase, min(phase + 1.0, 0.99999994), phase < 0.0), intensity); // 1 - 2^-24
 }
 
 fn gabor_noise_tiled(p: vec2f, period_in: vec2f, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period = period_in;
     period = max(period, vec2f(2.0));
-    let cells = floor(period * GABOR_RADIUS);
-    let radius = cells / period;
+    let cells = floor(period * GABOR_CELLS_PER_RADIUS);
+    let density = cells / period;
     let within = p - floor(p / period) * period;
-    let place = GaborPlace(vec2i(0), within * radius, radius, vec2i(cells), 0.0);
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+    let place = GaborPlace(vec2i(0), within * density, density, vec2i(cells), 0.0);
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
-fn gabor_noise_animated(p: vec2f, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place = gabor_place(vec2i(0), p * GABOR_RADIUS);
-    place.moment = moment;
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
+fn gabor_noise_animated(p: vec2f, evolution: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place = gabor_place(vec2i(0), p * GABOR_CELLS_PER_RADIUS);
+    place.evolution = evolution;
+    return gabor_field(place, gabor_kernel(frequency, orientation), seed).noise;
 }
 
 fn gabor_unorm(noise: f32) -> f32 {

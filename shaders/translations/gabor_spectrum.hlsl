@@ -10,7 +10,7 @@
 //     a range of directions or frequencies     gabor_noise_spread
 //     a spectrum of my own                     gabor_field_lobes
 //     rectangular, round or sharp stripes      gabor_profile_pulse and so on, after gabor_stripes
-//     derivatives, periods, a time             a place, then gabor_field_isotropic, _spread or _lobes
+//     derivatives, periods, an evolution       a place, then gabor_field_isotropic, _spread or _lobes
 //     noise averaged over a pixel              gabor_filter.hlsl
 //
 // Arguments and fields are those of gabor_noise.hlsl.
@@ -62,17 +62,17 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    float2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    float2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
-GaborLobe GaborLobe_of(float frequency, float orientation, float2 radius, float power)
+GaborLobe GaborLobe_of(float cycles_per_unit, float orientation, float2 radius, float power)
 {
     GaborLobe made;
-    made.frequency = frequency;
+    made.cycles_per_unit = cycles_per_unit;
     made.orientation = orientation;
     made.radius = radius;
     made.power = power;
@@ -85,7 +85,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -119,19 +119,19 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
-// to a float, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a float, within the period if there is one.
 GaborPlace gabor_impl_stretched(GaborPlace place, float2 radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
-    float2 unit = 1.0 / (place.radius * radius);
+    float2 unit = 1.0 / (place.cells_per_radius * radius);
     GaborPlace stretched = gabor_place_tiled(((float2)(cell) + place.local) * unit, (float2)(place.period) * unit);
-    stretched.moment = place.moment;
+    stretched.evolution = place.evolution;
     return stretched;
 }
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 float2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    float2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    float2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return float2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -148,14 +148,14 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborField field = gabor_field(gabor_impl_stretched(place, lobe.radius), gabor_impl_lobe_wave(lobe),
-                                       gabor_lobe_seed(seed, i));
+                                       gabor_derived_seed(seed, i));
         gabor_impl_add_field(sum, field, power > 0.0 ? sqrt(lobe.power / power) : 0.0, 1.0 / lobe.radius);
     }
     return sum;
 }
 
-GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe_of(frequency, orientation, (float2)(radius), power);
+GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe_of(cycles_per_unit, orientation, (float2)(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -200,7 +200,7 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
         for (int i = 0; i < direction_count; ++i) {
             float3 direction = gabor_impl_piece(i, directions);
             float2 wave = gabor_wave_vector(magnitude, orientation + orientation_spread * direction.x);
-            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
+            GaborField field = gabor_field(place, wave, gabor_derived_seed(seed, int(128.0 * shell.z + direction.z)));
             gabor_impl_add_field(sum, field, sqrt(shell.y * direction.y), (float2)(1.0));
         }
     }
@@ -247,7 +247,7 @@ GaborImplStar GaborImplStar_of(float2 first, float2 second, float2 third, float2
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
+GaborImplStar gabor_impl_star(uint4 words, float2 d, float evolution) {
     GaborImplStar star;
     // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
@@ -255,9 +255,9 @@ GaborImplStar gabor_impl_star(uint4 words, float2 d, float moment) {
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, float2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, evolution), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, evolution), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, evolution), star.third);
     return star;
 }
 
@@ -274,17 +274,17 @@ void gabor_impl_add_wave(inout GaborField sum, float3 window, float2 a, float2 w
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
     uint salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                                      place.radius.y);
-    float2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
     for (int j = 0; j < GABOR_TAPS; ++j) {
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
-            float2 d = frequency / place.radius * float2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            float2 d = frequency / place.cells_per_radius * float2(x.offset - float(i - 1), y.offset - float(j - 1));
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.evolution);
             float2 h = float2(x.node[i].x, y.node[j].x);
             float3 window = float3(h.x * h.y, stretch * float2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -317,7 +317,7 @@ float3 gabor_impl_ends_at(float phase, float span) {
 }
 
 float3 gabor_impl_ends(float2 stripes) {
-    float2 phasor = gabor_phasor(stripes);
+    float2 phasor = gabor_turns_intensity(stripes.yx);
     return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 

@@ -11,7 +11,7 @@
 //     a range of directions or frequencies     gabor_noise_spread
 //     a spectrum of my own                     gabor_field_lobes
 //     rectangular, round or sharp stripes      gabor_profile_pulse and so on, after gabor_stripes
-//     derivatives, periods, a time             a place, then gabor_field_isotropic, _spread or _lobes
+//     derivatives, periods, an evolution       a place, then gabor_field_isotropic, _spread or _lobes
 //     noise averaged over a pixel              gabor_filter.hpp
 //
 // Arguments and fields are those of gabor_noise.hpp.
@@ -67,11 +67,11 @@
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    float frequency;   // cycles per unit of p, whatever the radius
-    float orientation; // as in gabor_noise
-    gabor_vec2 radius;       // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                       // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    float power;       // power relative to the other lobes, not negative
+    float cycles_per_unit; // the waves' frequency per unit of p, whatever the radius
+    float orientation;     // as in gabor_noise
+    gabor_vec2 radius;           // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                           // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    float power;           // power relative to the other lobes, not negative
 };
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
@@ -80,7 +80,7 @@ struct GaborLobes {
     int count;
 };
 
-// GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
+// GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power)
 //     A lobe whose kernels are as wide along x as along y.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -114,19 +114,19 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
-// to a float, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to a float, within the period if there is one.
 GABOR_INLINE GaborPlace gabor_impl_stretched(GaborPlace place, gabor_vec2 radius) {
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
-    gabor_vec2 unit = 1.0f / (place.radius * radius);
+    gabor_vec2 unit = 1.0f / (place.cells_per_radius * radius);
     GaborPlace stretched = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
-    stretched.moment = place.moment;
+    stretched.evolution = place.evolution;
     return stretched;
 }
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 GABOR_INLINE gabor_vec2 gabor_impl_lobe_wave(GaborLobe lobe) {
-    gabor_vec2 wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    gabor_vec2 wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return gabor_vec2(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -143,14 +143,14 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
     for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
         GaborField field = gabor_field(gabor_impl_stretched(place, lobe.radius), gabor_impl_lobe_wave(lobe),
-                                       gabor_lobe_seed(seed, i));
+                                       gabor_derived_seed(seed, i));
         gabor_impl_add_field(sum, field, power > 0.0f ? gabor_cpp_sqrt(lobe.power / power) : 0.0f, 1.0f / lobe.radius);
     }
     return sum;
 }
 
-GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
-    return GaborLobe{frequency, orientation, gabor_vec2(radius), power};
+GABOR_INLINE GaborLobe gabor_lobe(float cycles_per_unit, float orientation, float radius, float power) {
+    return GaborLobe{cycles_per_unit, orientation, gabor_vec2(radius), power};
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -195,7 +195,7 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
         for (int i = 0; i < direction_count; ++i) {
             gabor_vec3 direction = gabor_impl_piece(i, directions);
             gabor_vec2 wave = gabor_wave_vector(magnitude, orientation + orientation_spread * direction.x);
-            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
+            GaborField field = gabor_field(place, wave, gabor_derived_seed(seed, int(128.0f * shell.z + direction.z)));
             gabor_impl_add_field(sum, field, gabor_cpp_sqrt(shell.y * direction.y), gabor_vec2(1.0f));
         }
     }
@@ -231,7 +231,7 @@ struct GaborImplStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
+GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float evolution) {
     GaborImplStar star;
     // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
@@ -239,9 +239,9 @@ GABOR_INLINE GaborImplStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, floa
     star.first = gabor_impl_wave(gabor_cpp_dot(star.u, d));
     star.second = gabor_impl_wave(gabor_cpp_dot(star.v, d));
     star.third = gabor_impl_product(star.second, gabor_vec2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, evolution), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, evolution), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, evolution), star.third);
     return star;
 }
 
@@ -258,17 +258,17 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField& sum, gabor_vec3 window, gabor_
 // Unrolling these loops by hand made them four times slower on lavapipe.
 GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
+    GaborImplAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.cells_per_radius.x);
     GaborImplAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
-                                      place.radius.y);
-    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+                                      place.cells_per_radius.y);
+    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < GABOR_TAPS; ++j) {
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
-            gabor_vec2 d = frequency / place.radius * gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            gabor_vec2 d = frequency / place.cells_per_radius * gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
+            GaborImplStar star = gabor_impl_star(x.word[i] * row, d, place.evolution);
             gabor_vec2 h = gabor_vec2(x.node[i].x, y.node[j].x);
             gabor_vec3 window = gabor_vec3(h.x * h.y, stretch * gabor_vec2(x.node[i].z, y.node[j].z) * h.yx());
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -301,7 +301,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
 }
 
 GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
-    gabor_vec2 phasor = gabor_phasor(stripes);
+    gabor_vec2 phasor = gabor_turns_intensity(stripes.yx());
     return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 

@@ -11,7 +11,7 @@
 //     a range of directions or frequencies     gabor_noise_spread
 //     a spectrum of my own                     gabor_field_lobes
 //     rectangular, round or sharp stripes      gabor_profile_pulse and so on, after gabor_stripes
-//     derivatives, periods, a time             a place, then gabor_field_isotropic, _spread or _lobes
+//     derivatives, periods, an evolution       a place, then gabor_field_isotropic, _spread or _lobes
 //     noise averaged over a pixel              gabor_filter.wgsl
 //
 // Arguments and fields are those of gabor_noise.wgsl.
@@ -53,11 +53,11 @@ const_assert GABOR_LOBES >= 1; // GABOR_LOBES must be an i32, at least 1
 
 // A lobe: waves around one wave vector.
 struct GaborLobe {
-    frequency: f32,   // cycles per unit of p, whatever the radius
-    orientation: f32, // as in gabor_noise
-    radius: vec2f,    // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
-                      // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
-    power: f32,       // power relative to the other lobes, not negative
+    cycles_per_unit: f32, // the waves' frequency per unit of p, whatever the radius
+    orientation: f32,     // as in gabor_noise
+    radius: vec2f,        // radius of the lobe's kernels along x and y in units of p, positive. The lobe's standard
+                          // deviation along each axis is 1/sqrt(12) / radius cycles per unit of p
+    power: f32,           // power relative to the other lobes, not negative
 }
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
@@ -66,7 +66,7 @@ struct GaborLobes {
     count: i32,
 }
 
-// fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe
+// fn gabor_lobe(cycles_per_unit: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe
 //     A lobe whose kernels are as wide along x as along y.
 
 // fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField
@@ -100,19 +100,19 @@ struct GaborLobes {
 
 // ---- Lobes ---------------------------------------------------------------------------------------------------------
 
-// The same position, period and time, for kernels whose radius is `radius` times the place's. The position is rounded
-// to an f32, within the period if there is one.
+// The same position, period and evolution, for kernels whose radius is `radius` times the place's. The position is
+// rounded to an f32, within the period if there is one.
 fn gabor_impl_stretched(place: GaborPlace, radius: vec2f) -> GaborPlace {
     let cell = vec2i(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
-    let unit = 1.0 / (place.radius * radius);
+    let unit = 1.0 / (place.cells_per_radius * radius);
     var stretched = gabor_place_tiled((vec2f(cell) + place.local) * unit, vec2f(place.period) * unit);
-    stretched.moment = place.moment;
+    stretched.evolution = place.evolution;
     return stretched;
 }
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 fn gabor_impl_lobe_wave(lobe: GaborLobe) -> vec2f {
-    let wave = gabor_wave_vector(lobe.frequency * lobe.radius.x, lobe.orientation);
+    let wave = gabor_wave_vector(lobe.cycles_per_unit * lobe.radius.x, lobe.orientation);
     return vec2f(wave.x, wave.y * (lobe.radius.y / lobe.radius.x));
 }
 
@@ -132,14 +132,14 @@ fn gabor_field_lobes(place: GaborPlace, lobes_in: GaborLobes, seed: u32) -> Gabo
     for (var i = 0; i < min(lobes.count, GABOR_LOBES); i++) {
         let lobe = lobes.lobe[i];
         let field = gabor_field(gabor_impl_stretched(place, lobe.radius), gabor_impl_lobe_wave(lobe),
-                                gabor_lobe_seed(seed, i));
+                                gabor_derived_seed(seed, i));
         gabor_impl_add_field(&sum, field, select(0.0, sqrt(lobe.power / power), power > 0.0), 1.0 / lobe.radius);
     }
     return sum;
 }
 
-fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
-    return GaborLobe(frequency, orientation, vec2f(radius), power);
+fn gabor_lobe(cycles_per_unit: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
+    return GaborLobe(cycles_per_unit, orientation, vec2f(radius), power);
 }
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ fn gabor_field_spread(place: GaborPlace, frequency_in: f32, orientation: f32, fr
         for (var i = 0; i < direction_count; i++) {
             let direction = gabor_impl_piece(i, directions);
             let wave = gabor_wave_vector(magnitude, orientation + orientation_spread * direction.x);
-            let field = gabor_field(place, wave, gabor_lobe_seed(seed, i32(128.0 * shell.z + direction.z)));
+            let field = gabor_field(place, wave, gabor_derived_seed(seed, i32(128.0 * shell.z + direction.z)));
             gabor_impl_add_field(&sum, field, sqrt(shell.y * direction.y), vec2f(1.0));
         }
     }
@@ -224,7 +224,7 @@ struct GaborImplStar {
 }
 
 // `d`: offset of the point from the node, in periods of the waves.
-fn gabor_impl_star(words: vec4u, d: vec2f, moment: f32) -> GaborImplStar {
+fn gabor_impl_star(words: vec4u, d: vec2f, evolution: f32) -> GaborImplStar {
     var star: GaborImplStar;
     // 3.8805107e-11 is 2^-31 / 12
     star.u = gabor_impl_half_turn(3.8805107e-11 * f32(i32(words.w))); // up to a twelfth of a turn either way
@@ -232,9 +232,9 @@ fn gabor_impl_star(words: vec4u, d: vec2f, moment: f32) -> GaborImplStar {
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, vec2f(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, evolution), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, evolution), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, evolution), star.third);
     return star;
 }
 
@@ -252,17 +252,17 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3f, a: vec2f, 
 fn gabor_field_isotropic(place: GaborPlace, frequency_in: f32, seed: u32) -> GaborField {
     var frequency = frequency_in;
     let salt = gabor_impl_salt(seed);
-    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
+    var x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.cells_per_radius.x);
     var y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
-                            place.radius.y);
-    let stretch = place.radius / GABOR_RADIUS;
+                            place.cells_per_radius.y);
+    let stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
     frequency = min(abs(frequency), 1.0e6);
     var sum = GaborField(0.0, vec2f(0.0), 0.0, vec2f(0.0), 0.0);
     for (var j = 0; j < GABOR_TAPS; j++) {
         let row = gabor_impl_row(y.word[j]);
         for (var i = 0; i < GABOR_TAPS; i++) {
-            let d = frequency / place.radius * vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1));
-            let star = gabor_impl_star(x.word[i] * row, d, place.moment);
+            let d = frequency / place.cells_per_radius * vec2f(x.offset - f32(i - 1), y.offset - f32(j - 1));
+            let star = gabor_impl_star(x.word[i] * row, d, place.evolution);
             let h = vec2f(x.node[i].x, y.node[j].x);
             let window = vec3f(h.x * h.y, stretch * vec2f(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(&sum, window, star.first, frequency * star.u);
@@ -296,7 +296,7 @@ fn gabor_impl_ends_at(phase_in: f32, span: f32) -> vec3f {
 }
 
 fn gabor_impl_ends(stripes: vec2f) -> vec3f {
-    let phasor = gabor_phasor(stripes);
+    let phasor = gabor_turns_intensity(stripes.yx);
     return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 

@@ -14,7 +14,7 @@ SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")),
 
 # Adds channels to the noise. The size leaves partial cells at the right and lower edges.
 COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--gradient")
-REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
+REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--evolution=0.3",),
             ("--frequency=9.5",), ("--region=10,20,111,77",)]
 
 

@@ -4,6 +4,7 @@ seams."""
 import itertools
 import json
 import pathlib
+import re
 import unittest
 
 import matplotlib
@@ -175,8 +176,13 @@ class Erode(ProgramTest):
             preset = json.loads((pathlib.Path(__file__).parents[2] / f"host/render/presets/{name}.json").read_text())
             for option, factor, by_default in ("gully_frequency", 1.5, 1.5), ("crease_rounding", 4, 0.1), ("gain", 1, 0.5):
                 self.assertAlmostEqual(float(found[option]), factor * preset.get(option, by_default), msg=(name, option))
-            self.assertEqual(float(found["onset"]), 2 * 0.637)
+            self.assertEqual(float(found["onset_slope"]), 2 * 0.637)
             self.assertEqual(found["seed"], "0")
+        self.succeed("erode", "map.exr", "-o", "out.exr", "--strength=0.15")
+        found = Exr(self.folder / "out.exr").parameters
+        module = (pathlib.Path(__file__).parents[2] / "packages/pypi/gabor_noise/__init__.py").read_text()
+        for option, value in re.findall(r'"(\w+)": ([\d.]+)', re.search(r"_OF_MAPS = {(.*)}", module)[1].replace("2 * _SLOPE", "1.274")):
+            self.assertEqual(float(found[option]), float(value), option)  # Python's erode has the same defaults
 
     def test_both_axes_are_alike(self):
         """A map that is not square and the same map with x and y exchanged."""
@@ -388,7 +394,7 @@ class Erode(ProgramTest):
         np.testing.assert_array_equal(self.eroded("--preset=alps")["height"], seen[0])
         seen += [self.eroded(f"--preset={name}")["height"] for name in ("badlands", "canyon", "hills")]
         seen += [self.eroded(option)["height"] for option in
-                 ("--octaves=2", "--gully-frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset=2",
+                 ("--octaves=2", "--gully-frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset-slope=2",
                   "--detail=5", "--uniformity=1", "--ridge-rounding=1", "--crease-rounding=1", "--gully-weight=1",
                   "--branching=0", "--seed=3")]
         for i, one in enumerate(seen):

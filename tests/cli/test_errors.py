@@ -98,8 +98,8 @@ class Arguments(ErrorTest):
                              ("--preset=nope", "unknown preset 'nope': `gabor render --help` lists the presets"),
                              ("--material=Wod", f"--material 'Wod': did you mean wood? Expected {materials}\n"),
                              ("--material=gold", f"--material 'gold': expected {materials}\n"),
-                             ("--loop=10", "--loop '10': did you mean 8 or 16? Expected never, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096\n"),
-                             ("--loop=5000", "did you mean 4096? Expected never, 8, "), ("--loop=nev", "did you mean never? Expected never, 8, "),
+                             ("--loop-seconds=10", "--loop-seconds '10': did you mean 8 or 16? Expected never, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096\n"),
+                             ("--loop-seconds=5000", "did you mean 4096? Expected never, 8, "), ("--loop-seconds=nev", "did you mean never? Expected never, 8, "),
                              ("--compression=zpi", "--compression 'zpi': did you mean zip? Expected none, rle, zips, zip, piz\n"),
                              ("--recipe=lattice_2", "did you mean lattice-2? Expected lattice, ")):
             self.refuse_render([said], option)
@@ -112,7 +112,7 @@ class Arguments(ErrorTest):
     def test_names_may_have_any_case(self):
         alike = [(["--material=wood", "--view=sphere", "--environment=dark"], ["--material=Wood", "--view=SPHERE", "--environment=Dark"]),
                  (["--recipe=lattice-2", "--compression=zip"], ["--recipe=Lattice-2", "--compression=ZIP"]),
-                 (["--preset=oak-planks"], ["--preset=Oak-Planks"]), (["--view=ocean", "--loop=never"], ["--view=Ocean", "--loop=Never"])]
+                 (["--preset=oak-planks"], ["--preset=Oak-Planks"]), (["--view=ocean", "--loop-seconds=never"], ["--view=Ocean", "--loop-seconds=Never"])]
         for named, shouted in alike:
             self.succeed("render", "--size=24x16", "-o", "a.exr", *named)
             self.succeed("render", "--size=24x16", "-o", "b.exr", *shouted)
@@ -140,13 +140,13 @@ class Arguments(ErrorTest):
         self.refuse_render(["--solid needs noise", ", not wood\n"], "--solid", "--view=sphere", "--material=wood")
         self.refuse_render(["--depth needs --view slice, not horizon\n"], "--depth=3", "--view=horizon")
         self.refuse_render(["--light-azimuth needs --material NAME, or --view terrain, landscape or ocean\n"], "--light-azimuth=3")
-        self.refuse_render(["--swell needs --view ocean\n"], "--swell=2")
+        self.refuse_render(["--swell-height needs --view ocean\n"], "--swell-height=2")
         self.refuse_render(["--extent needs --view terrain or landscape\n"], "--extent=2")
         self.refuse_render(["--octaves needs --view terrain or landscape, not ocean\n"], "--octaves=2", "--view=ocean")
         self.refuse_render(["--wood.rings needs --material wood\n"], "--wood.rings=12")
         self.refuse_render(["--boards needs --material NAME\n"], "--boards")
-        self.refuse_render(["--boards.width needs --boards and --material NAME\n"], "--boards.width=2")
-        self.refuse_render(["--time needs noise or --view ocean, not wood\n"], "--time=0.5", "--material=wood")
+        self.refuse_render(["--boards.board-width needs --boards and --material NAME\n"], "--boards.board-width=2")
+        self.refuse_render(["--seconds needs noise or --view ocean, not wood\n"], "--seconds=0.5", "--material=wood")
         self.refuse_render(["--filter needs noise or a material, not terrain\n"], "--filter", "--view=terrain")
         (self.folder / "like.json").write_text('{"wood.rings": 9}')
         self.refuse_render(["'like.json': wood.rings needs material wood\n"], "--like=like.json")
@@ -154,10 +154,10 @@ class Arguments(ErrorTest):
                                (["--view=torus", "--solid"], "torus")):
             self.refuse_render([f"--recipe needs noise with --view flat or horizon, not {other}\n"], "--recipe=one", *options)
         self.refuse_render(["--wood.rings needs --material wood, not marble\n"], "--material=marble", "--wood.rings=9")
-        self.refuse_render(["--boards.width needs --boards and --material NAME\n"], "--material=wood", "--boards.width=1")
+        self.refuse_render(["--boards.board-width needs --boards and --material NAME\n"], "--material=wood", "--boards.board-width=1")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
-            self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")
+            self.refuse_render([f"--wood.earlywood-colour '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.earlywood-colour={colour}")
         (self.folder / "lobes.json").write_text("[{}, {}, {}]")
         self.refuse_render(["--frequency needs noise of a single lobe, not 3 lobes\n"], "--lobes=lobes.json", "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
@@ -224,8 +224,8 @@ class LikeFiles(ErrorTest):
     def test_parameters(self):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
                  ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),
-                 ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "#rrggbb"]),
-                 ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "#rrggbb"]),
+                 ('{"material": "wood", "wood.earlywood_colour": [1, 2]}', ["wood.earlywood_colour '[1,2]'", "#rrggbb"]),
+                 ('{"material": "wood", "wood.earlywood_colour": "blue"}', ["wood.earlywood_colour 'blue'", "#rrggbb"]),
                  ('{"size": 3}', ["unknown parameter 'size'", "gabor render --help"]),
                  ('{"values": 1, "sum": false}', ["unknown parameter 'values'"]), ('{"seed": 1, "lobes": []}', ["the list of lobes is empty"]),
                  ('{"depth": 0, "view": "flat"}', ["depth needs view slice\n"]),

@@ -25,8 +25,8 @@ SIDE = 8
 FREQUENCY = 1.5
 COMMON = ("--size=65536x65536", "--scale=3", f"--frequency={FREQUENCY}", "--orientation=40", "--seed=7")
 CORNERS = {"first": 0, "last": 65536 - SIDE}
-REQUESTS = [("--gradient",), ("--tileable", "--time=0.3"), ("--phasor",),
-            ("--phasor", "--gradient", "--tileable", "--time=0.3")]
+REQUESTS = [("--gradient",), ("--tileable", "--evolution=0.3"), ("--phasor",),
+            ("--phasor", "--gradient", "--tileable", "--evolution=0.3")]
 LOBES = """[{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5},
             {"frequency": 1, "orientation": -50, "orientation_spread": 70, "radius": 1.7, "stretch": 0.7}]"""
 COLOUR = """{"lobes": [{"frequency": 3, "orientation": 20, "power": 2}, {"frequency": 1, "orientation": -50, "radius": 1.7}],
@@ -34,12 +34,12 @@ COLOUR = """{"lobes": [{"frequency": 3, "orientation": 20, "power": 2}, {"freque
              "histogram": [[0.05, 0.9, -0.05, 0.02, 0.003, 0.001], [0, 1, 0, 0.04, 0.01, -0.002], [-0.1, 0.8, 0.1, 0.05, -0.004, 0.002]],
              "mean": [0.5, 0.4, 0.3], "mixing": [[0.2, 0.05, -0.03], [0.15, -0.1, 0.02], [0.1, 0.02, 0.08]]}}"""
 PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
-            "--view=landscape --scale=6", "--view=ocean --wind=18 --time=7.5 --light-elevation=12 --light-azimuth=74 --pitch=15",
+            "--view=landscape --scale=6", "--view=ocean --wind=18 --seconds=7.5 --light-elevation=12 --light-azimuth=74 --pitch=15",
             "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
             "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --lobes=lobes.json",
             "--view=slice --depth=1.3 --scale=6 --filter --gradient", "--view=sphere --scale=6",
             "--view=torus --solid --scale=6 --yaw=20",
-            "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
+            "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --evolution=0.3 --filter",
             "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60",
             # meadows under a low sun, seen from above; clay; a low sun above the sea; the foam of a storm, close up

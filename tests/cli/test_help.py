@@ -12,7 +12,7 @@ from program import ProgramTest, gabor
 
 COMMANDS = ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
 
-GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--uniformity", "--ridge-rounding",
+GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset-slope", "--detail", "--uniformity", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
 
 
@@ -28,13 +28,13 @@ class Help(ProgramTest):
 
     def test_help_lists_every_option(self):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
-                              "--region", "--tileable", "--time", "--frames", "--frequency-spread",
+                              "--region", "--tileable", "--evolution", "--seconds", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent", "--cover", "--boards",
-                              "--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude",
-                              "--maps", "--metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
+                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--boards",
+                              "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
+                              "--maps", "--width-metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
@@ -85,11 +85,11 @@ class Help(ProgramTest):
     def test_leaving_an_option_out_is_the_same_as_giving_its_default(self):
         write_exr(self.folder / "map.exr", {"Y": np.random.default_rng(1).random((24, 24), "f4")})
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
-        terrain = ["--view=terrain", "--heightmap=out.png"]
+        terrain = ["--view=terrain", "--write-heightmap=out.png"]
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
-                 **dict.fromkeys(("--wind", "--fetch", "--swell", "--swell-period", "--swell-direction", "--loop", "--altitude"), ["--view=ocean"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
+                 **dict.fromkeys(("--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--seconds", "--altitude"), ["--view=ocean"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 to extent/8 if --extent is given, else 0,1000": "0,1000"}
-        for command, number in ("render", 37), ("erode", 18):
+        for command, number in ("render", 38), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             given = {}  # the defaults of each command line's options; a file of heights has a range of its own

@@ -147,11 +147,11 @@ class Maps(RenderTest):
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_documents_state_the_size_and_the_heights_in_metres(self):
-        for options, metres in (([], 1), (["--metres=0.2"], 0.2)):
+        for options, metres in (([], 1), (["--width-metres=0.2"], 0.2)):
             folder, maps = self.maps(*options)
             wide = WIDTH / Exr(folder / "maps.exr").parameters["scale"]
             self.assert_metres(folder, (metres, metres * HEIGHT / WIDTH), maps["height"] * metres / wide)
-        for options, metres in (([], 8000), (["--metres=2"], 2)):
+        for options, metres in (([], 8000), (["--width-metres=2"], 2)):
             self.succeed("render", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "--maps", "land", *options)
             heights = Exr(self.folder / "land/maps.exr").channels["height"]
             self.assert_metres(self.folder / "land", (metres, metres), heights * (metres / 8000))
@@ -240,15 +240,15 @@ class Maps(RenderTest):
         for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
                                (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
                                *((["--maps", "combined with -o"], ["--material=wood", *other]) for other in
-                                 (["-o", "a.exr"], ["--png=a.png"], ["--heightmap=a.png"], ["--elevation=0,1"],
+                                 (["-o", "a.exr"], ["--png=a.png"], ["--write-heightmap=a.png"], ["--elevation=0,1"],
                                   ["--region=0,0,8,8"], ["--frames=2"], ["--level=1"]))):
             self.assert_refused(words, "render", "--maps", "set", *options)
             self.assertEqual(self.files(), {})
         self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
         self.assert_refused(["--half requires --texture"], "render", "--material=wood", "--maps", "set", "--half")
         self.assertEqual(self.files(), {})
-        self.assert_refused(["--metres '-1': expected a width above 0"], "render", "--material=wood", "--maps", "set", "--metres=-1")
-        for option in ("--directx", "--normal-bits=8", "--metres=2"):
+        self.assert_refused(["--width-metres '-1': expected a width above 0"], "render", "--material=wood", "--maps", "set", "--width-metres=-1")
+        for option in ("--directx", "--normal-bits=8", "--width-metres=2"):
             self.assert_refused([f"{option.partition('=')[0]} requires --maps"], "render", "--material=wood", "-o", "a.exr", option)
         self.assert_refused(["--normal-bits '12': expected 8 or 16"], "render", "--material=wood", "--maps", "set", "--normal-bits=12")
         (self.folder / "file").write_text("mine")

@@ -25,8 +25,8 @@ class Ocean(ProgramTest):
 
     def test_the_sky_has_no_water_and_its_sun_shines_on_the_sea(self):
         sea = self.drawn("--wind=8", "--seed=3", "--light-azimuth=70", "--light-elevation=6", "--yaw=250", "--pitch=4")
-        self.assertEqual(set(sea), {"R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "fold", "foam"})
-        water = sea["fold"] > 0
+        self.assertEqual(set(sea), {"R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "jacobian", "foam"})
+        water = sea["jacobian"] > 0
         self.assertFalse(water[:20].any())
         self.assertTrue(water[40:].all())
         for name in sea:
@@ -44,7 +44,7 @@ class Ocean(ProgramTest):
 
     def test_heights_have_the_variance_of_the_spectrum(self):
         def shares(wind, fetch, altitude, seeds):
-            return [self.drawn(f"--wind={wind}", f"--fetch={fetch}", f"--seed={seed}", f"--altitude={altitude}", "--pitch=90", "--zoom=0.6",
+            return [self.drawn(f"--wind={wind}", f"--fetch={1000 * fetch}", f"--seed={seed}", f"--altitude={altitude}", "--pitch=90", "--zoom=0.6",
                                size="400x400")["height"].var() / variance(wind, 1000 * fetch) for seed in seeds]
         storm = shares(20, 200, 1000, range(12))
         print(f"{np.mean(storm):.3f} of the variance, +- {np.std(storm) / np.sqrt(12):.3f}")
@@ -53,7 +53,7 @@ class Ocean(ProgramTest):
 
     def test_foam_covers_as_much_of_the_sea_as_was_measured(self):
         for wind, altitude, seeds in ((10, 250, 4), (18, 100, 16)):  # far away and near, where foam is a net of bubbles
-            covered = np.mean([self.drawn(f"--wind={wind}", "--fetch=30", f"--altitude={altitude}", "--pitch=90", "--zoom=0.25",
+            covered = np.mean([self.drawn(f"--wind={wind}", "--fetch=30000", f"--altitude={altitude}", "--pitch=90", "--zoom=0.25",
                                           f"--seed={seed}", size="1024x48")["foam"].mean() for seed in range(seeds)])
             measured = 3.84e-6 * wind**3.41  # Monahan and O'Muircheartaigh, 1980
             print(f"wind {wind}: {covered:.4f} of the sea is foam, {measured:.4f} was measured")
@@ -69,39 +69,39 @@ class Ocean(ProgramTest):
             self.assertLess(error, 0.9)
 
     def test_it_moves_and_a_part_equals_the_whole(self):
-        first, later = (self.drawn(f"--time={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))
-        water = first["fold"] > 0
+        first, later = (self.drawn(f"--seconds={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))
+        water = first["jacobian"] > 0
         self.assertGreater(np.abs(first["height"] - later["height"])[water].mean(), 0.05)
-        part = self.drawn("--time=1e6", "--seed=5", "--region=16,40,32,16")
+        part = self.drawn("--seconds=1e6", "--seed=5", "--region=16,40,32,16")
         for name, values in part.items():
             np.testing.assert_array_equal(values, first[name][40:56, 16:48], name)
 
     def test_frames_are_a_25th_of_a_second_apart(self):
-        self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=2", "--time=3")
-        times = [Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2)]
+        self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=2", "--seconds=3")
+        times = [Exr(self.folder / f"out.000{frame}.exr").parameters["seconds"] for frame in (1, 2)]
         np.testing.assert_allclose(times, (3, 3.04))
-        said = self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=4", "--loop=32")  # which they share
+        said = self.succeed("render", "--view=ocean", "--size=8x8", "-o", "out.exr", "--frames=4", "--loop-seconds=32")  # which they share
         self.assertTrue(said.startswith("out.0001.exr: 8 x 8 pixels, ocean, on "), said)
-        self.assertEqual([Exr(self.folder / f"out.000{frame}.exr").parameters["time"] for frame in (1, 2, 4)], [0, 8, 24])
+        self.assertEqual([Exr(self.folder / f"out.000{frame}.exr").parameters["seconds"] for frame in (1, 2, 4)], [0, 8, 24])
 
     def test_a_swell_adds_its_height_and_a_loop_repeats(self):
         above = "--altitude=500", "--pitch=90", "--zoom=0.5", "--wind=4"
         def seas(seeds, *more):
             return np.array([self.drawn(*above, f"--seed={seed}", *more, size="64x64")["height"] for seed in range(seeds)])
-        plain, swell = seas(8), seas(8, "--swell=4")
+        plain, swell = seas(8), seas(8, "--swell-height=4")
         self.assertAlmostEqual((swell - plain).std(), 1, delta=0.25)
-        self.assertGreater((swell[:2] - seas(2, "--swell=4", "--swell-direction=150")).std(), 1)
-        longer = seas(8, "--swell=4", "--swell-period=20") - plain
+        self.assertGreater((swell[:2] - seas(2, "--swell-height=4", "--swell-direction=150")).std(), 1)
+        longer = seas(8, "--swell-height=4", "--swell-period=20") - plain
         self.assertLess(np.abs(np.diff(longer)).mean(), 0.6 * np.abs(np.diff(swell - plain)).mean())
-        first, later, between = (self.drawn("--loop=16", "--swell=2", f"--time={time}")["height"] for time in (3.25, 19.25, 11.25))
+        first, later, between = (self.drawn("--loop-seconds=16", "--swell-height=2", f"--seconds={time}")["height"] for time in (3.25, 19.25, 11.25))
         np.testing.assert_array_equal(first, later)
-        (self.folder / "loop.json").write_text('{"view": "ocean", "width": 96, "height": 64, "loop": 16, "swell": 2, "time": 3.25}')
+        (self.folder / "loop.json").write_text('{"view": "ocean", "width": 96, "height": 64, "loop_seconds": 16, "swell_height": 2, "seconds": 3.25}')
         self.succeed("render", "--like=loop.json", "-o", "like.exr")
         np.testing.assert_array_equal(Exr(self.folder / "like.exr").channels["height"], first)
         self.assertGreater(np.abs(first - between).mean(), 0.05)
 
     def test_what_does_not_fit_is_refused(self):
-        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "swell=-1", "swell-period=4", "loop=12", "tileable"):
+        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=999", "swell-height=-1", "swell-period=4", "loop-seconds=12", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
         self.assert_refused(["--wind needs --view ocean\n"], "render", "-o", "out.exr", "--wind=8")
         self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")

@@ -17,7 +17,7 @@ from program import PROGRAM, RenderTest, gabor, start
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
-            "tileable": False, "time": 0, "gradient": False, "frequency_spread": 0,
+            "tileable": False, "evolution": 0, "gradient": False, "frequency_spread": 0,
             "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False,
             "material": "none"}
 LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"frequency": 5, "orientation": -70, "radius": 0.6},
@@ -31,11 +31,11 @@ class Materials(RenderTest):
     def test_parameters(self):
         plain = self.render("--material=wood", size="64x64", scale=16)
         self.assertEqual(plain.parameters["wood.rings"], 13)
-        other = self.render("--material=wood", "--wood.early=#0b0A80", "--wood.late=0.25,0.5,1", "--wood.rings=30", size="64x64",
+        other = self.render("--material=wood", "--wood.earlywood-colour=#0b0A80", "--wood.latewood-colour=0.25,0.5,1", "--wood.rings=30", size="64x64",
                             scale=16)
         # The conversion to linear light is that of the sRGB standard, IEC 61966-2-1.
-        np.testing.assert_allclose(other.parameters["wood.early"], [0.003346536, 0.003035270, 0.2158605], rtol=1e-6)
-        self.assertEqual(other.parameters["wood.late"], [0.25, 0.5, 1])
+        np.testing.assert_allclose(other.parameters["wood.earlywood_colour"], [0.003346536, 0.003035270, 0.2158605], rtol=1e-6)
+        self.assertEqual(other.parameters["wood.latewood_colour"], [0.25, 0.5, 1])
         self.assertEqual(other.parameters["wood.rings"], 30)
         self.assertFalse(np.allclose(other.channels["R"], plain.channels["R"]))
         again = self.render("--like=out.exr", output="again.exr")
@@ -131,10 +131,10 @@ class Like(RenderTest):
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
         (self.folder / "lobes.json").write_text(json.dumps(LOBES[:3]))
-        every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
+        every = [["--gradient", "--tileable", "--evolution=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.width=0.8"]]
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
@@ -192,8 +192,8 @@ class Channels(RenderTest):
 
 class Periods(RenderTest):
     def test_the_header_records_a_tile(self):
-        tile = self.render("--tileable", time=0.3, **SMALL)
-        self.assertEqual((tile.parameters["tileable"], tile.parameters["time"]), (True, 0.3))
+        tile = self.render("--tileable", evolution=0.3, **SMALL)
+        self.assertEqual((tile.parameters["tileable"], tile.parameters["evolution"]), (True, 0.3))
         self.assert_same_bits(self.render(like="out.exr").pixels, tile.pixels)
 
     def test_a_tile_too_small_for_its_kernels(self):
@@ -222,11 +222,11 @@ class Periods(RenderTest):
         self.assertTrue(shown.endswith("\r\x1b[K"), shown)  # the line is cleared
 
     def test_frames_loop(self):
-        self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--time=0.25")
+        self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--evolution=0.25")
         self.assertEqual(sorted(self.files()), [f"out.000{i}.{kind}" for i in (1, 2, 3) for kind in ("exr", "png")])
         for frame in (1, 2, 3):
             exr = Exr(self.folder / f"out.000{frame}.exr")
-            self.assertAlmostEqual(exr.parameters["time"], 0.25 + (frame - 1) / 3)
+            self.assertAlmostEqual(exr.parameters["evolution"], 0.25 + (frame - 1) / 3)
             self.assert_same_bits(self.render(output="one.exr", like=f"out.000{frame}.exr").pixels, exr.pixels)
         for count in ("0", "-1", "10000", "two", "1.5"):
             self.assert_fails(2, ["--frames", count, "1 to 9999"], "render", "-o", "out.exr", "--frames", count)
@@ -245,7 +245,7 @@ class Periods(RenderTest):
             self.assertRegex(result.stderr, rf"\Agabor: warning: .* is {warned} cycles per pixel; above 0\.5, .*\n\Z" if warned else r"\A\Z", options)
 
     def test_time_is_periodic(self):
-        at = {time: self.render(time=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
+        at = {time: self.render(evolution=time, **SMALL).pixels for time in (0, 0.001, 0.5, 1, -3)}
         self.assert_same_bits(at[0], at[1])
         self.assert_same_bits(at[0], at[-3])
         self.assertLess(np.abs(at[0.001] - at[0]).max(), 0.1)
@@ -305,8 +305,8 @@ class Messages(RenderTest):
         self.assertRegex(stdout, r"\Aout\.exr: 11 x 13 pixels, recipe paper, on [^\n]+\n\Z")
         name = self.devices()[0][1]
         for options, said in ((["-o", "a.png", "--material=scratches"], "a.png: 12 x 8 pixels, material scratches"),
-                              (["--heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
-                              (["--png=c.png", "--heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
+                              (["--write-heightmap=b.r16", "--view=terrain"], "b.r16: 12 x 8 pixels, terrain"),
+                              (["--png=c.png", "--write-heightmap=d.png", "--view=terrain"], "c.png: 12 x 8 pixels, terrain"),
                               (["-o", "e.exr", "--png=f.png", "--view=slice"], "e.exr: 12 x 8 pixels, recipe lattice"),
                               (["--maps=h", "--material=scratches"], "h: maps of 12 x 8 pixels, material scratches")):
             self.assertEqual(self.succeed("render", "--size=12x8", "--device=0", *options), f"{said}, on {name}\n")

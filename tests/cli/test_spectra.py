@@ -135,7 +135,7 @@ class Spectra(SpectraTest):
 class Filter(SpectraTest):
     def test_it_works_with_time_and_tiles(self):
         # The filter changes noise of this scale by at most 2 %; a larger difference means that it ignores time or tiles.
-        options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5, "time": 0.3}
+        options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5, "evolution": 0.3}
         for more in ([], ["--tileable"]):
             with self.subTest(more):
                 plain = self.render(*more, output="plain.exr", **options).pixels
@@ -154,8 +154,8 @@ class Filter(SpectraTest):
             return weight / weight.sum(axis=1, keepdims=True)
         inside = (slice(3, -3), slice(3, -3))  # where the fine picture covers the whole filter
         for time in (0, 0.3):
-            seen = self.render("--filter", *more, size="64x48", scale=4, time=time, **options).channels
-            fine = self.render(*more, output="fine.exr", size="1024x768", scale=64, time=time, **options).channels
+            seen = self.render("--filter", *more, size="64x48", scale=4, evolution=time, **options).channels
+            fine = self.render(*more, output="fine.exr", size="1024x768", scale=64, evolution=time, **options).channels
             self.assertEqual(set(seen), names - {"quadrature"} | {"phase", "intensity", "removed"})
             for channels in (seen, fine):
                 channels["quadrature"] = channels["intensity"] * np.cos(2 * np.pi * channels["phase"])
@@ -230,14 +230,14 @@ class Space(SpectraTest):
     def test_seeds_in_space_do_not_correlate(self):
         for time in (0, 0.25):
             values = np.array([self.render("--view=slice", size="256x256", scale=4, frequency=1, seed=seed, orientation_spread=90,
-                                           time=time).pixels.ravel() for seed in range(3)])
+                                           evolution=time).pixels.ravel() for seed in range(3)])
             np.testing.assert_allclose(np.cov(values), np.eye(3), atol=0.05)
 
 
 class Channels(SpectraTest):
     def test_a_slice_drawn_pixel_by_pixel_equals_the_blocks(self):
         options = {"view": "slice", "depth": -3.3, "frequency": 1.3, "frequency_spread": 0.5, "size": "300x200", "scale": 20,
-                   "orientation": 25, "time": 0.2}
+                   "orientation": 25, "evolution": 0.2}
         for spread in (40, 90):
             blocks = self.render("--gradient", output="a.exr", orientation_spread=spread, **options)
             pixels = self.render("--gradient", "--phasor", output="b.exr", orientation_spread=spread, **options)

@@ -44,8 +44,8 @@ class Terrain(ProgramTest):
             np.testing.assert_allclose(large[name], factor * small[name], atol=2e-4 * factor)
 
     def test_regions_of_a_heightmap_have_the_range_of_the_whole(self):
-        self.succeed(*GROUND, "--heightmap", "whole.png", "-o", "whole.exr", "--png", "view.png")
-        self.succeed(*GROUND, "--heightmap", "part.r16", "--region=10,20,40,30")
+        self.succeed(*GROUND, "--write-heightmap", "whole.png", "-o", "whole.exr", "--png", "view.png")
+        self.succeed(*GROUND, "--write-heightmap", "part.r16", "--region=10,20,40,30")
         scales = [json.loads((self.folder / f"{name}.json").read_text()) for name in ("whole.png", "part.r16")]
         self.assertEqual(scales[0]["elevation"], scales[1]["elevation"])
         np.testing.assert_allclose([scale["extent"] for scale in scales], [[8, 4.8], [2, 1.5]])
@@ -63,7 +63,7 @@ class Terrain(ProgramTest):
         heights = self.drawn("--extent=100")["height"].astype(float)
         low, high = np.quantile(heights, (0.1, 0.7)).round(1)
         for name in "a.png", "b.r16":
-            self.succeed(*GROUND, "--extent=100", "--heightmap", name, f"--elevation={low},{high}")
+            self.succeed(*GROUND, "--extent=100", "--write-heightmap", name, f"--elevation={low},{high}")
             levels = read_deep_png(self.folder / name) if name == "a.png" else np.fromfile(self.folder / name, "<u2").reshape(96, 160)
             np.testing.assert_allclose(levels / 65535, np.clip((heights - low) / (high - low), 0, 1), atol=1e-5)
             scale = json.loads((self.folder / f"{name}.json").read_text())
@@ -91,21 +91,21 @@ class Terrain(ProgramTest):
 
     def test_wrong_requests(self):
         for options, words in (([], ["--output is missing", "-o"]), (["-o", "a.tif"], ["a.tif", ".exr"]),
-                               (["--heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
-                               (["--png", "a.png", "--heightmap", "a.png"], ["--png and --heightmap both name 'a.png'"]),
-                               (["-o", "a.png", "--heightmap", "./a.png"], ["-o and --heightmap both name 'a.png'"]),
+                               (["--write-heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
+                               (["--png", "a.png", "--write-heightmap", "a.png"], ["--png and --write-heightmap both name 'a.png'"]),
+                               (["-o", "a.png", "--write-heightmap", "./a.png"], ["-o and --write-heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),
                                (["-o", "a.exr", "--tileable", "--scale=32"], ["tile of 160 x 96", "128"]),
                                (["-o", "a.exr", "--frequency=2"], ["--frequency", "not terrain"]),
                                (["-o", "a.exr", "--preset=moon"], ["unknown preset 'moon'"]),
                                (["-o", "a.exr", "--octaves=2.5"], ["whole number"]),
                                (["-o", "a.exr", "--region=0,0,161,1"], ["--region"]),
-                               (["--heightmap", "a.png", "--elevation=2,1"], ["LOW,HIGH"]),
-                               (["-o", "a.exr", "--elevation=1,2"], ["--elevation", "--heightmap"])):
+                               (["--write-heightmap", "a.png", "--elevation=2,1"], ["LOW,HIGH"]),
+                               (["-o", "a.exr", "--elevation=1,2"], ["--elevation", "--write-heightmap"])):
             with self.subTest(options):
                 self.assert_refused(words, *GROUND, *options)
         for view in "landscape", "flat":
-            self.assert_refused(["--heightmap needs --view terrain"], "render", f"--view={view}", "--size=8x8", "--heightmap=a.png")
+            self.assert_refused(["--write-heightmap needs --view terrain"], "render", f"--view={view}", "--size=8x8", "--write-heightmap=a.png")
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

@@ -110,7 +110,7 @@ class Joined(TextureTest):
         join = "join", "--texture", "-o", "new.exr"
         self.assert_refused(["no region of level 2 (2 x 1 pixels)"], *join, *(r for r in regions if "level2" not in r))
         self.assert_refused(["no region contains the pixel 0,2"], *join, *regions[:1], *regions[2:])
-        self.succeed("render", "--size=8x4", "--level=1", *NOISE, "--scale=8", "--time=0.3", "-o", "other.exr")
+        self.succeed("render", "--size=8x4", "--level=1", *NOISE, "--scale=8", "--evolution=0.3", "-o", "other.exr")
         self.assert_refused(["'other.exr' is not level 1 of 'level0.0.exr'"], *join,
                             *(r for r in regions if "level1" not in r), "other.exr")
         self.succeed("render", "--size=16x4", "--level=2", *NOISE, "--scale=8", "-o", "other.exr")

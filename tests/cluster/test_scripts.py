@@ -91,7 +91,7 @@ class Scripts(ProgramTest):
                          "pictures": {"grain": {"size": "48x31", "strips": 2, "options": " ".join(OPTIONS)}},
                          "textures": {"bark": {"size": "64x32", "strips": 4, "half": True, "options": "--tileable --scale=8"}},
                          "frames": {"water": {"size": "16x8", "frames": 2, "options": " ".join(OPTIONS)},
-                                    "sea": {"size": "16x8", "frames": 2, "seconds": 16, "options": "--view=ocean --loop=16"}},
+                                    "sea": {"size": "16x8", "frames": 2, "seconds": 16, "options": "--view=ocean --loop-seconds=16"}},
                          "udims": {"skin": {"size": "8x4", "across": 3, "down": 2, "options": " ".join(OPTIONS)}},
                          "studies": {"paper": {"figures": ["figure1"], "quick": True}}}
         names = {"config": configuration, "Rule": Rule, "temp": lambda name: name, "touch": lambda name: name, "__name__": "Snakefile"}
@@ -133,7 +133,7 @@ class Scripts(ProgramTest):
         (self.folder / "one").mkdir()
         self.succeed("render", "--texture", "--half", "--size=64x32", "--tileable", "--scale=8", "-o", "one/bark.exr")
         self.succeed("render", "--size=16x8", *OPTIONS, "--frames=2", "-o", "one/water.exr")
-        self.succeed("render", "--size=16x8", "--view=ocean", "--loop=16", "--frames=2", "-o", "one/sea.exr")
+        self.succeed("render", "--size=16x8", "--view=ocean", "--loop-seconds=16", "--frames=2", "-o", "one/sea.exr")
         for number, place in {1001: "0,4", 1002: "8,4", 1003: "16,4", 1011: "0,0", 1012: "8,0", 1013: "16,0"}.items():
             self.succeed("render", "--texture", "--size=24x8", *OPTIONS, f"--region={place},8,4", "-o", f"one/skin.{number}.exr")
         for path in (self.folder / "one").iterdir():

@@ -100,8 +100,8 @@ const node = values => { const made = float(0); made.parts = [Float32Array.from(
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
 const field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(4, 0.7854), 7);
 const surface = { normal: gabor.gabor_normal(field.gradient, p, 0.05), slope: field.gradient };
-const metal = gabor.gabor_brushed_metal(p, 7), bare = gabor.gabor_noise_complex(p, -2.5, 0.6, -9);
-const rest = { "complex.x": bare.x, "complex.y": bare.y, unorm: gabor.gabor_unorm(gabor.gabor_noise(p, 2.5, 0.6, gabor.gabor_lobe_seed(-9, 3))),
+const metal = gabor.gabor_brushed_metal(p, 7), bare = gabor.gabor_noise_quadrature(p, -2.5, 0.6, -9);
+const rest = { "complex.x": bare.x, "complex.y": bare.y, unorm: gabor.gabor_unorm(gabor.gabor_noise(p, 2.5, 0.6, gabor.gabor_derived_seed(-9, 3))),
                "colour.x": metal.colour.x, "colour.y": metal.colour.y, "colour.z": metal.colour.z, height: metal.height,
                "tilt.x": metal.slope.x, "tilt.y": metal.slope.y, roughness: metal.roughness.add(p.x.mul(0)), metalness: metal.metalness.add(p.x.mul(0)) };
 const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p),
@@ -149,8 +149,8 @@ OCEAN = """
     float height[3], fold[3];
     const gabor_vec2 place = p * 61.0f - gabor_vec2(3000.0f, -900.0f);
     const vector half(0.5f * place.x, 0.5f * place.y, 0);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
     osl::gabor_ocean(vector(place.x, place.y, 0), DEFAULTS, moved[2], height[2], fold[2]);
     static const GaborOcean seas[] = {gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 0),
                                       gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 64), gabor_ocean(10.0f)};
@@ -199,7 +199,7 @@ Value clamp(Value a) { return each(a, a, [](float x, float) { return std::min(st
 Value extract(Value a, int index) { return a.part[index]; }
 Value combine2(Value a, Value b) { return {a.part[0], b.part[0]}; }
 Value magnitude(Value a) { return std::sqrt(a.part[0] * a.part[0] + a.part[1] * a.part[1]); }
-int gaborseed(int seed, int index) { return int(gabor_lobe_seed(std::uint32_t(seed), index)); }
+int gaborseed(int seed, int index) { return int(gabor_derived_seed(std::uint32_t(seed), index)); }
 Value gaborfield2d(Value p, float frequency, float degrees, int seed) {
     const GaborField field = gabor_field(gabor_place_at({p.part[0], p.part[1]}),
                                          gabor_wave_vector(frequency, 0.017453293f * degrees), std::uint32_t(seed));
@@ -237,19 +237,19 @@ USED = """
     GaborStripes_float(p, along, 3.0f, -5.0f, e, slope, stripes);
     GaborStripes_half(p, turned, 2.0f, -6.0f, f, slope_half, stripes_half);
     mainImage(color, 32.0f * p);
-    const gabor_vec2 z_a = gabor_noise_complex(p, 4.0f, 0.7854f, -3), z_c = gabor_noise_complex(p, 3.0f, 0.5f, -4);
+    const gabor_vec2 z_a = gabor_noise_quadrature(p, 4.0f, 0.7854f, -3), z_c = gabor_noise_quadrature(p, 3.0f, 0.5f, -4);
     const GaborField z_e = gabor_field(gabor_place_at(p), along, -5), z_f = gabor_field(gabor_place_at(p), turned, -6);
     const gabor_vec3 s_e = gabor_stripes_of(z_e, 3.0f), s_f = gabor_stripes_of(z_f, 2.0f);
-    const gabor_vec2 godot = gabor_noise_complex(p, 2.5f, 0.3f, -7);
+    const gabor_vec2 godot = gabor_noise_quadrature(p, 2.5f, 0.3f, -7);
     const float scale = 8.0f, maker_seed = 0.3f;
     float noise, quadrature;
     { const gabor_vec2 place = p; const float frequency = 2.5f, orientation = 0.3f; const int seed = -7; GODOT }
 """
 # The value of each output, and what it should be.
-OUTPUTS = {"a": "z_a.y", "b": "z_a.x", "c": "z_c.y", "d": "z_c.x", "e": "z_e.noise", "f": "z_f.noise",
+OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noise", "f": "z_f.noise",
            **{f"slope{half}.{axis}": f"z_{z}.gradient.{axis}" for half, z in (("", "e"), ("_half", "f")) for axis in "xy"},
            **{f"stripes{half}.{axis}": f"s_{z}.{axis}" for half, z in (("", "e"), ("_half", "f")) for axis in "xyz"},
-           "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.y", "noise": "godot.y", "quadrature": "godot.x",
+           "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.x", "noise": "godot.x", "quadrature": "godot.y",
            "float(MAKER)": "gabor_unorm(gabor_noise_tiled(p, gabor_vec2(8.0f), 2.5f, 0.5235988f, floatBitsToUint(0.3f)))",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
 
@@ -443,7 +443,7 @@ class ByHand(unittest.TestCase):
         made = self.osl("gabor_noise.osl", ["gabor_noise", "gabor_noise_3d"], NOISE, [
             *"noise gradient.x gradient.y gradient.z value phase intensity".split(),
             *"noise_3d gradient_3d.x gradient_3d.y gradient_3d.z value_3d phase_3d intensity_3d".split(),
-            "gabor_noise_complex(p, 4.0f, 0.7854f, 7u).x", *"plane.y plane.z space.noise space.gradient.x space.gradient.y space.gradient.z".split()])
+            "gabor_noise_quadrature(p, 4.0f, 0.7854f, 7u).y", *"plane.y plane.z space.noise space.gradient.x space.gradient.y space.gradient.z".split()])
         plane, space, expected = np.split(made, 3)
         self.compare("noise", plane[0])
         self.assertLess(np.abs(plane[1:3] - expected[1:3]).max(), 2e-3)
@@ -466,7 +466,7 @@ class ByHand(unittest.TestCase):
         made, expected = np.split(self.osl(text, ["gabor_noise", "gabor_noise_3d"], MATERIALX, [
             *(f"plane.{part}" for part in "xyzw"), *(f"space.{part}" for part in "xyzw"), "float(seed)",
             *"value.noise value.quadrature value.gradient.x value.gradient.y".split(),
-            *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_lobe_seed(9,-2)))".split()]), 2)
+            *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_derived_seed(9,-2)))".split()]), 2)
         self.assertLess(np.abs(made - expected).max(), 2e-3)
 
     def test_module_of_materialx(self):
@@ -474,7 +474,7 @@ class ByHand(unittest.TestCase):
         folder = packaged("materialx", self.folder / "materialx")
         text = (folder / "libraries/gabor/genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
         text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", re.sub(r">>> (\d+)", r">> Right{\1}", text))
-        seeds = ["seed", *(f"int(gabor_lobe_seed(seed,-{k}))" for k in (1, 2, 3))]
+        seeds = ["seed", *(f"int(gabor_derived_seed(seed,-{k}))" for k in (1, 2, 3))]
         cases = {"mx_gaborseed(seed,-2)": [seeds[2]]}
         for dim, given, noise in (("2d", "p,-4.0f,30.0f,seed", "gabor_field(gabor_place_at(p),flat,std::uint32_t({})).noise"),
                                   ("3d", "place,-4.0f,along,seed", "gabor_field_3d(gabor_place_3d_at(place),solid,std::uint32_t({})).noise")):
@@ -512,7 +512,7 @@ class ByHand(unittest.TestCase):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_ocean.osl").read_text(), re.MULTILINE)
         code = OCEAN.replace("DEFAULTS", ", ".join(f"{each}f" if "." in each else each for each in given))
         outputs = [each.replace("I", str(i)) for each in ("moved[I].x moved[I].y moved[I].z height[I] fold[I] units[I]*water[I].shift.x "
-                   "units[I]*water[I].shift.y units[I]*water[I].height units[I]*water[I].height water[I].fold").split() for i in range(3)]
+                   "units[I]*water[I].shift.y units[I]*water[I].height units[I]*water[I].height water[I].jacobian").split() for i in range(3)]
         made, expected = np.split(self.osl("gabor_ocean.osl", ["gabor_noise", "gabor_ocean"], code, outputs), 2)
         error = np.abs(made - expected).max(axis=(1, 2)) / expected.std(axis=(1, 2)) / 4
         print(f"largest differences, in significant heights: {error.max():.2g}")
@@ -630,10 +630,10 @@ class ByHand(unittest.TestCase):
                 self.compare(name, picture)
         headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "materials"))
         expected = in_cpp(self.folder, headers, [
-            "wave.x", "wave.y", "gabor_unorm(gabor_noise(p,2.5f,0.6f,gabor_lobe_seed(std::uint32_t(-9),3)))", "metal.colour.x", "metal.colour.y",
+            "wave.x", "wave.y", "gabor_unorm(gabor_noise(p,2.5f,0.6f,gabor_derived_seed(std::uint32_t(-9),3)))", "metal.colour.x", "metal.colour.y",
             "metal.colour.z", "metal.height", "metal.slope.x", "metal.slope.y", "metal.roughness", "metal.metalness"], "-std=c++17", "-O1",
             "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code="""
-            const gabor_vec2 wave = gabor_noise_complex(p, -2.5f, 0.6f, std::uint32_t(-9));
+            const gabor_vec2 wave = gabor_noise_quadrature(p, -2.5f, 0.6f, std::uint32_t(-9));
             const GaborMaterial metal = gabor_brushed_metal(p, 7u);""")
         self.assertEqual(names[-16:-5], "complex.x complex.y unorm colour.x colour.y colour.z height tilt.x tilt.y roughness metalness".split())
         for name, one, other in zip(names[-16:-5], pictures[-16:-5], expected):

@@ -31,7 +31,7 @@ DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxco
 CALLS = {  # each call, and its column in the table of drop-ins in docs/engine-results.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
-    "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
+    "gabor_noise_quadrature(p, 4.0, 0.7854, 7u).y": "complex",
     "2.0 * gabor_stripes(p, 0.3 * p, 1.0, 7u).x + 2.0 * gabor_profile_triangle(0.8 * vec2(cos(p.x), sin(p.x)))": "stripes",
     "gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u)": "tiled",
     "gabor_field(gabor_place_tiled(p, vec2(5.0, 7.5)), gabor_wave_vector(4.0, 0.7854), 7u).quadrature_gradient.x": "tiled",
@@ -56,7 +56,7 @@ CALLS = {  # each call, and its column in the table of drop-ins in docs/engine-r
     "2.0 * gabor_terrain(p, 7u).slope.x": "erosion",
     "20.0 * gabor_eroded(p, gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
     "3.0 * gabor_water(4.0 * p, 100.3, gabor_ocean(8.0), 7u).height": "sea",
-    "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).fold": "sea",
+    "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).jacobian": "sea",
     "600.0 * gabor_water_filtered(4.0 * p, 0.1 * p, vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).lost.x": "sea",
     "3.0 * gabor_water(16.0 * p, 10.3, gabor_ocean_of(13.0, 0.6, 90000.0, vec3(2.5, 11.0, 2.1), 64), 7u).shift.y": "sea",
     "10.0 * gabor_water_at(ivec2(1000000000, -1000000000), 4.0 * p, 1000000000, 0.3, vec2(0.0, 0.0), vec2(0.0, 0.0), gabor_ocean(8.0), 7u).slope.x": "sea",

@@ -55,7 +55,7 @@ def salt(seed):
     return mix(words([seed * SPREAD & 0xffffffff]), np.uint32(0x2545f491))
 
 
-def lobe_seed(seed, index):
+def derived_seed(seed, index):
     """Returns the seed of part `index` of a sum."""
     return int(mix(words([(seed + index * 0x85ebca6b) & 0xffffffff]), np.uint32(0x9e3779b1))[0])
 
@@ -153,7 +153,7 @@ def gradient(x, y):
 
 
 def four(x, y):
-    seeds = [SEED, *(lobe_seed(SEED, -index) for index in (1, 2, 3))]
+    seeds = [SEED, *(derived_seed(SEED, -index) for index in (1, 2, 3))]
     return sum((index + 1) / 4 * plane(x, y, seed=seed).imag for index, seed in enumerate(seeds))
 
 
@@ -181,7 +181,7 @@ def brushed(x, y):
     tone = height = 0
     for part in range(5):
         fine = 2.0**part
-        spots = complex_lattice((0, 0), 1.5 * (0.3 + 0.12 * fine) * x, 1.5 * 9 * fine * y, seed=lobe_seed(SEED, part), wave=(0, 0))
+        spots = complex_lattice((0, 0), 1.5 * (0.3 + 0.12 * fine) * x, 1.5 * 9 * fine * y, seed=derived_seed(SEED, part), wave=(0, 0))
         height = height + 0.0012 / fine * spots.real
         tone = tone + np.sqrt(0.2) * spots.imag
     return np.clip(0.55 * np.exp(0.09 * (tone - 0.045)), 0, 1) + 200 * height

@@ -49,7 +49,7 @@ SLANG = """
 # The functions of reference.FUNCTIONS as GLSL calls. For other languages, tests rename the vectors.
 CALLS = {
     "noise": "gabor_noise(p, 4.0, 0.7854, 7u)",
-    "complex": "gabor_noise_complex(p, 4.0, 0.7854, 7u).x",
+    "complex": "gabor_noise_quadrature(p, 4.0, 0.7854, 7u).y",
     "gradient": "dot(gabor_noise_gradient(p, 4.0, 0.7854, 7u), vec3(1.0, 1.0 / 32.0, 1.0 / 16.0))",
     "tiled": "gabor_noise_tiled(p, vec2(2.0, 1.0), 4.0, 0.7854, 7u)",
     "animated": "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)",

@@ -87,6 +87,11 @@ void see(Largest& values, Largest& slopes, const auto& field, const noise::Field
     }
 }
 
+/// The noise and its quadrature, as gabor_noise_quadrature returns them.
+inline std::array<double, 2> noise_and_quadrature(std::complex<double> value) {
+    return {value.imag(), value.real()};
+}
+
 /// Compares a noise and its gradient, given as (noise, d/dx, d/dy).
 template <typename Place>
 void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field<2>& expected,

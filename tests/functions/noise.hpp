@@ -102,7 +102,7 @@ inline std::vector<noise::SpectrumLobe> reference_lobes(const Lattice3::GaborLob
     std::vector<noise::SpectrumLobe> all;
     for (int i = 0; i < std::min(lobes.count, GABOR_LOBES); ++i) {
         const auto& [frequency, orientation, radius, power] = lobes.lobe[i];
-        all.push_back({frequency, orientation, wide(radius), power, noise::lattice_lobe_seed(seed, i)});
+        all.push_back({frequency, orientation, wide(radius), power, noise::lattice_derived_seed(seed, i)});
     }
     return all;
 }
@@ -117,10 +117,10 @@ auto place_of(Functions& n, const noise::Place<N>& place) {
         else
             return n.gabor_place_3d({cell[0], cell[1], cell[2]}, narrow(local));
     }();
-    result.radius = narrow(radius);
+    result.cells_per_radius = narrow(radius);
     for (std::size_t axis = 0; axis < N; ++axis)
         result.period[static_cast<int>(axis)] = period[axis];
-    result.moment = static_cast<float>(time);
+    result.evolution = static_cast<float>(time);
     return result;
 }
 

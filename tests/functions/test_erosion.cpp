@@ -38,8 +38,9 @@ std::string to_string(const Sample& s) {
                        "{}) {}, seed {}, erosion {} {} {} {} {} {} {} {} {} {} {} {}",
                        s.column, s.row, s.local.x, s.local.y, s.period.x, s.period.y, s.dx.x, s.dx.y, s.dy.x,
                        s.dy.y, s.base.has_value(), base.height, base.slope[0], base.slope[1], base.ridge,
-                       s.seed, e.octaves, e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
-                       e.uniformity, e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching);
+                       s.seed, e.octaves, e.gully_frequency, e.strength, e.lacunarity, e.gain, e.onset_slope,
+                       e.detail, e.uniformity, e.ridge_rounding, e.crease_rounding, e.gully_weight,
+                       e.branching);
 }
 
 // The drop-in's terrain, converted to the reference's types.
@@ -267,7 +268,8 @@ void compare(Terrains<Functions> terrains) {
         const Terrain found = terrains.eroded(s);
         const Terrain eroded =
             noise::eroded(taps, s.ground(), dx, dy, s.base.value_or(hills), s.erosion, s.seed);
-        const double finest = s.erosion.frequency * std::pow(s.erosion.lacunarity, s.erosion.octaves - 1);
+        const double finest =
+            s.erosion.gully_frequency * std::pow(s.erosion.lacunarity, s.erosion.octaves - 1);
         of["gabor_eroded_at"].see(found.height, eroded.height, 5e-6, s);
         of["  its ridge"].see(found.ridge, eroded.ridge, 2e-4, s);
         for (std::size_t k = 0; k < 3; ++k)
@@ -375,7 +377,7 @@ TEST_CASE("a mountain of another size is the same near the origin", "[erosion]")
             other.base->height *= size;
             for (double& curvature : other.base->curvature)
                 curvature /= size;
-            other.erosion.frequency /= size;
+            other.erosion.gully_frequency /= size;
             largest.see(terrains.eroded(other).height / size, terrains.eroded(one).height, most, one);
         }
         largest.check(fmt::format("{} times as large, up to {}", size, distance));

@@ -17,11 +17,11 @@ namespace {
 // The noise of a pixel, whose position is split in double precision.
 GaborField pixel_of(const GaborGrid& grid, std::size_t column, std::size_t row) {
     GaborPlace place = gabor_place_tiled(gabor_vec2(0.0f), grid.period);
-    const double x = (grid.x + static_cast<double>(column) * grid.step) * double{place.radius.x},
-                 y = (grid.y + static_cast<double>(row) * grid.step) * double{place.radius.y};
+    const double x = (grid.x + static_cast<double>(column) * grid.step) * double{place.cells_per_radius.x},
+                 y = (grid.y + static_cast<double>(row) * grid.step) * double{place.cells_per_radius.y};
     place.cell = gabor_ivec2(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)));
     place.local = gabor_vec2(static_cast<float>(x - std::floor(x)), static_cast<float>(y - std::floor(y)));
-    place.moment = grid.moment;
+    place.evolution = grid.evolution;
     return gabor_field(place, grid.wave, grid.seed);
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a grid has the noise of its pixels, whatever their number per node, p
         const float frequency = static_cast<float>(i % 21);
         grid.wave = gabor_wave_vector(frequency, 0.3f * static_cast<float>(i));
         grid.seed = static_cast<std::uint32_t>(i);
-        grid.moment = i % 5 == 4 ? 0.3f : 0.0f;
+        grid.evolution = i % 5 == 4 ? 0.3f : 0.0f;
         grid.period = i % 6 == 5   ? gabor_vec2(4.0f, 6.0f)
                       : i % 6 == 2 ? gabor_vec2(0.0f, 5.0f)
                                    : gabor_vec2(0.0f);
@@ -48,7 +48,7 @@ TEST_CASE("a grid has the noise of its pixels, whatever their number per node, p
         std::vector<float> plain(pixels), quadrature(pixels), complex(pixels), sloped(pixels), x(pixels),
             y(pixels);
         gabor_noise_grid(grid, plain.data());
-        gabor_noise_grid_complex(grid, quadrature.data(), complex.data());
+        gabor_noise_grid_quadrature(grid, complex.data(), quadrature.data());
         gabor_noise_grid_gradient(grid, sloped.data(), x.data(), y.data());
         for (std::size_t at = 0; at < pixels; ++at) {
             const GaborField expected = pixel_of(grid, at % grid.width, at / grid.width);

@@ -80,15 +80,15 @@ void check_joint(Functions functions) {
                      [&] {
                          const gabor_vec2 p = anywhere(random);
                          const std::uint32_t seed = random.word();
-                         const auto complex =
-                             functions.gabor_noise_complex(p, fixed_frequency, orientation, seed);
-                         const auto phasor = functions.gabor_phasor(complex);
+                         const auto both =
+                             functions.gabor_noise_quadrature(p, fixed_frequency, orientation, seed);
+                         const auto phasor = functions.gabor_turns_intensity(both);
                          const auto gradient =
                              functions.gabor_noise_gradient(p, fixed_frequency, orientation, seed);
-                         return std::array{complex.x, complex.y, gradient.y, gradient.z, phasor.x, phasor.y};
+                         return std::array{both.x, both.y, gradient.y, gradient.z, phasor.x, phasor.y};
                      },
-                     {sum_of("noise", 1, {{1}}),
-                      sum_of("quadrature", 1, {{0}}),
+                     {sum_of("noise", 1, {{0}}),
+                      sum_of("quadrature", 1, {{1}}),
                       sum_of("noise + quadrature", sqrt2, {{0}, {1}}),
                       sum_of("d/dx", x, {{2}}),
                       sum_of("d/dy", y, {{3}}),

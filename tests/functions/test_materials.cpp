@@ -58,9 +58,9 @@ T parameters_of(const Numbers& numbers) {
 // Wood on boards of a unit by half of one, of which half are turned.
 GaborMaterial on_boards(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned seed) {
     GaborBoards boards = gabor_boards_default();
-    boards.width = 1;
-    boards.reach = 0.5f;
-    boards.turns = 0.5f;
+    boards.board_width = 1;
+    boards.board_length = 0.5f;
+    boards.turned_share = 0.5f;
     const GaborBoard board = gabor_board(p, dx, dy, Vec2(0), boards, seed);
     const auto wood = parameters_of<GaborWood>(n);
     return gabor_laid(
@@ -360,17 +360,17 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
 TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materials]") {
     for (const auto& [width, length] : {std::pair(0.5f, 2.0f), {1.0f, 1.0f}, {2.0f, 0.5f}}) {
         GaborBoards boards = gabor_boards_default();
-        boards.width = width;
-        boards.reach = length;
-        boards.shift = 0.25f;
-        boards.turns = 0.5f;
+        boards.board_width = width;
+        boards.board_length = length;
+        boards.offset = 0.25f;
+        boards.turned_share = 0.5f;
         const bool rows = width > length;
         const auto board_at = [&](Vec2 p, Vec2 period) {
             return gabor_board(p, Vec2(0), Vec2(0), period, boards, 7);
         };
         // The middle of the board at p.
         const auto middle_of = [&](Vec2 p, const GaborBoard& b) {
-            const bool turned = b.turn.y > 0.5f;
+            const bool turned = b.rotation.y > 0.5f;
             return Vec2(p.x - (turned ? -b.position.y : b.position.x),
                         p.y - (turned ? b.position.x : b.position.y));
         };
@@ -380,8 +380,8 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
             const Vec2 p = random.uniform<Vec2>(-40, 40);
             const GaborBoard b = board_at(p, Vec2(0));
             const Vec2 middle = middle_of(p, b);
-            turned += b.turn.y > 0.5f;
-            joints += b.joint.x > 0.5f;
+            turned += b.rotation.y > 0.5f;
+            joints += b.joint_cover.x > 0.5f;
             // Columns are shifted along y by a quarter each, rows along x.
             const double line = rows ? wide(middle.y) / wide(length) : wide(middle.x) / wide(width);
             const double along = rows ? wide(middle.x) / wide(width) : wide(middle.y) / wide(length);
@@ -394,11 +394,11 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
             const Vec2 period(4, 6), next(p.x + 8, p.y - 6);
             const GaborBoard tiled = board_at(p, period), same = board_at(next, period);
             CHECK(tiled.seed == same.seed);
-            CHECK(std::abs(wide(tiled.joint.x) - wide(same.joint.x)) < 1e-3);
+            CHECK(std::abs(wide(tiled.joint_cover.x) - wide(same.joint_cover.x)) < 1e-3);
         }
         for (const float shift :
              {0.5f, 0.25f, 0.38f}) { // in a tile, the last line and the first are neighbours, too
-            boards.shift = shift;
+            boards.offset = shift;
             const Vec2 period(4, 4);
             double before = 0;
             for (int line = 0; line < 80; ++line) { // 20 to a unit: each board has several
@@ -419,7 +419,7 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
             const double step = (rows ? wide(first.x) - wide(last.x) : wide(first.y) - wide(last.y)) / size;
             CHECK(std::abs(std::abs(step - std::round(step)) - std::min(shift, 1 - shift)) < 0.13);
         }
-        const double gaps = 1 - (1 - wide(boards.gap) / wide(width)) * (1 - wide(boards.gap) / wide(length));
+        const double gaps = 1 - (1 - wide(boards.joint_width) / wide(width)) * (1 - wide(boards.joint_width) / wide(length));
         fmt::print("  boards of {} x {}: {} of 4000 turned, joints {:.4f} of {:.4f}\n", width, length, turned,
                    joints / 4000.0, gaps);
         CHECK(std::abs(turned - 2000) < 150);
@@ -429,27 +429,27 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
 
 TEST_CASE("joints cover no board more than once, however wide they are", "[materials]") {
     GaborBoards boards = gabor_boards_default();
-    boards.gap = 0.2f;
+    boards.joint_width = 0.2f;
     Random random(8);
     for (const auto& [width, length] : {std::pair(0.05f, 20.0f), {10.0f, 0.05f}, {0.05f, 0.05f}})
         for (const float pixel : {0.0f, 0.01f, 1.0f})
             for (int i = 0; i < 100; ++i) {
-                boards.width = width;
-                boards.reach = length;
+                boards.board_width = width;
+                boards.board_length = length;
                 const GaborBoard b = gabor_board(random.uniform<Vec2>(-9, 9), Vec2(pixel, 0), Vec2(0, pixel),
                                                  Vec2(0), boards, 7);
                 INFO(width << " x " << length << ", pixel " << pixel);
-                CHECK(std::abs(b.joint.x - 0.5f) < 0.50001f);
+                CHECK(std::abs(b.joint_cover.x - 0.5f) < 0.50001f);
             }
 }
 
 TEST_CASE("scratches have the asked direction, in a tile one of 24", "[materials]") {
     GaborScratches scratches = gabor_scratches_default();
-    scratches.spread = 0;
+    scratches.direction_spread = 0;
     Random random(9);
     for (const Vec2 period : {Vec2(0), Vec2(8, 8), Vec2(12, 4), Vec2(4, 12)}) {
         double largest = 0;
-        for (scratches.direction = -6.2f; scratches.direction < 6.3f; scratches.direction += 0.3f) {
+        for (scratches.scratch_direction = -6.2f; scratches.scratch_direction < 6.3f; scratches.scratch_direction += 0.3f) {
             double x = 0, y = 0; // cosine and sine of twice the slopes' direction
             for (int i = 0; i < 300; ++i) {
                 const Vec2 p = random.uniform<Vec2>(0, 12);
@@ -457,7 +457,7 @@ TEST_CASE("scratches have the asked direction, in a tile one of 24", "[materials
                 x += square(wide(slope.x)) - square(wide(slope.y));
                 y += 2 * wide(slope.x) * wide(slope.y);
             }
-            const double turns = (std::atan2(-y, -x) / 2 - wide(scratches.direction)) / 3.14159265;
+            const double turns = (std::atan2(-y, -x) / 2 - wide(scratches.scratch_direction)) / 3.14159265;
             largest = std::max(largest, 180 * std::abs(turns - std::round(turns)));
         }
         fmt::print("  period {} x {}: off by at most {:.1f} degrees\n", period.x, period.y, largest);

@@ -76,8 +76,9 @@ void compare(Functions functions) {
         const auto here = reference.field(place);
         of["gabor_noise"].see(functions.gabor_noise(s.p, s.frequency, s.orientation, s.seed),
                               here.value.imag(), tight, s);
-        see(of["gabor_noise_complex"], functions.gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed),
-            here.value, tight, s);
+        see(of["gabor_noise_quadrature"],
+            functions.gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed),
+            test::noise_and_quadrature(here.value), tight, s);
         see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
                      functions.gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed), here, tight,
                      loose, s);
@@ -200,10 +201,10 @@ void see_place(Largest& largest, const auto& place, const auto& expected, const 
         const int a = static_cast<int>(axis);
         const double period = expected.period[axis], apart = place.local[a] - expected.local[axis];
         largest.see(place.period[a], period, 0.1, where);
-        largest.see(place.radius[a], expected.radius[axis], 1e-6 * expected.radius[axis], where);
+        largest.see(place.cells_per_radius[a], expected.radius[axis], 1e-6 * expected.radius[axis], where);
         largest.see(apart, period ? std::round(apart / period) * period : 0, 1e-5, where);
     }
-    largest.see(place.moment, 0, 1e-9, where);
+    largest.see(place.evolution, 0, 1e-9, where);
 }
 
 } // namespace
@@ -228,7 +229,8 @@ TEST_CASE("fields agree with the reference, also with a filter for a pixel of si
 
 TEST_CASE("a phase is below 1, however little below a whole turn", "[lattice]") {
     for (int bit = 1; bit < 120; ++bit) {
-        const float below = -std::exp2(static_cast<float>(-bit)), phase = n.gabor_phasor({1, below}).x;
+        const float below = -std::exp2(static_cast<float>(-bit)),
+                    phase = n.gabor_turns_intensity({below, 1}).x;
         CHECK((phase >= 0.5f && phase < 1));
     }
 }
@@ -264,8 +266,8 @@ TEST_CASE("frequencies count up to 10^6, and periods from 1/1024 to 10^9", "[spe
         const auto flat = n.gabor_place_tiled({0.1f, 0.2f}, {period, 0});
         const auto deep = n.gabor_place_3d_tiled({0.1f, 0.2f, 0.3f}, {0, 5, period});
         INFO(period);
-        CHECK(std::pair(flat.radius.x, flat.period.x) == std::pair(radius, nodes));
-        CHECK(std::pair(deep.radius.z, deep.period.z) == std::pair(radius, nodes));
+        CHECK(std::pair(flat.cells_per_radius.x, flat.period.x) == std::pair(radius, nodes));
+        CHECK(std::pair(deep.cells_per_radius.z, deep.period.z) == std::pair(radius, nodes));
     }
 }
 

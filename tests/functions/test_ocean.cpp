@@ -107,7 +107,7 @@ TEST_CASE("heights and slopes of the sea have the spectrum's variance and are no
         int foam = 0;
         for (int i = 0; i < 1 << 18; ++i) {
             const GaborWater water = anywhere(random).water(sea);
-            foam += water.fold < 0.7f; // as the manual advises
+            foam += water.jacobian < 0.7f; // as the manual advises
             heights.add(water.height);
             slope_x.add(water.slope.x);
             slope_y.add(water.slope.y);
@@ -333,7 +333,7 @@ TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the sa
     for (const int loop : {8, 64, 4096}) {
         const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop),
                          endless = gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, 0);
-        CHECK(gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop - 1).loop == std::max(loop / 2, 8));
+        CHECK(gabor_ocean_of(12, 0.8f, 2e5f, {2, 11, 0}, loop - 1).loop_seconds == std::max(loop / 2, 8));
         Random random(9);
         Moments heights, slopes, heights_endless, slopes_endless;
         double half = 0;
@@ -348,7 +348,8 @@ TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the sa
             slopes_endless.add(other.slope.x);
             place.second += loop;
             const GaborWater later = place.water(sea);
-            differ += now.height != later.height || now.slope.x != later.slope.x || now.fold != later.fold;
+            differ +=
+                now.height != later.height || now.slope.x != later.slope.x || now.jacobian != later.jacobian;
             place.second -= loop / 2;
             half += now.height * place.water(sea).height;
         }
@@ -380,10 +381,10 @@ TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights an
             slope.see(here.slope.y, half * (up.height - down.height), 5e-3, where);
             const gabor_vec2 along_x = static_cast<float>(half) * (right.shift - left.shift),
                              along_y = static_cast<float>(half) * (up.shift - down.shift);
-            fold.see(here.fold, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.1, where);
+            fold.see(here.jacobian, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.1, where);
         }
     slope.check("slope");
-    fold.check("fold");
+    fold.check("jacobian");
 }
 
 TEST_CASE("the sea's filter keeps or loses all variance of the slopes, and the rest is Cox and Munk's",
@@ -428,7 +429,7 @@ TEST_CASE("a boat floats on the water above its place", "[ocean]") {
                 water = gabor_water(at, time, sea, seed);
             }
             const gabor_vec2 apart = p - at - water.shift;
-            if (water.fold < 0.3f || std::hypot(apart.x, apart.y) > 1e-3f)
+            if (water.jacobian < 0.3f || std::hypot(apart.x, apart.y) > 1e-3f)
                 continue;
             const double error = std::abs(gabor_water_height(p, time, sea, seed) - water.height);
             worst = std::max(worst, error);

@@ -28,7 +28,7 @@ struct One {
 };
 
 #include "sparse_macros.h"
-#define GABOR_RADIUS 1.5f
+#define GABOR_CELLS_PER_RADIUS 1.5f
 #define GABOR_WEIGHT_FLOOR 0.5f
 #define GABOR_WINDOW gabor_vec3(1, -1, 1)
 struct Pure {
@@ -48,7 +48,7 @@ struct Paper {
 
 #include "sparse_macros.h"
 #define GABOR_IMPULSES 3
-#define GABOR_RADIUS 1.06f
+#define GABOR_CELLS_PER_RADIUS 1.06f
 #define GABOR_WEIGHT_FLOOR 0.2f
 #define GABOR_PHASES 4
 #define GABOR_WINDOW gabor_vec3(0.5f, 1.5f, -1)
@@ -94,18 +94,6 @@ noise::Place<2> any_place(Random& random, const noise::Recipe& recipe) {
     return place;
 }
 
-// A field with the members of gabor_noise.glsl's.
-struct Field {
-    float noise;
-    gabor_vec2 gradient;
-    float quadrature;
-    gabor_vec2 quadrature_gradient;
-
-    explicit Field(const auto& sparse)
-        : noise(sparse.value.y), gradient(sparse.slope_x.y, sparse.slope_y.y), quadrature(sparse.value.x),
-          quadrature_gradient(sparse.slope_x.x, sparse.slope_y.x) {}
-};
-
 struct Sample {
     noise::Place<2> place;
     gabor_vec2 p;
@@ -144,26 +132,27 @@ void compare(Functions n) {
             const auto place = place_of(n, s.place);
             const noise::Field<2> expected = reference.field(s.place);
             const auto field = n.gabor_field(place, kernel, seed);
-            of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
-            see(of["gabor_field, complex"], of["gabor_field, gradients"], Field(field), expected,
-                tight * larger, loose * larger, s);
-            of["gabor_field, gradient"].see(field.slope_x.y, expected.slope[0].imag(), loose, s);
-            of["gabor_field, gradient"].see(field.slope_y.y, expected.slope[1].imag(), loose, s);
+            of["gabor_field"].see(field.noise, expected.value.imag(), tight, s);
+            see(of["gabor_field, complex"], of["gabor_field, gradients"], field, expected, tight * larger,
+                loose * larger, s);
+            of["gabor_field, gradient"].see(field.gradient.x, expected.slope[0].imag(), loose, s);
+            of["gabor_field, gradient"].see(field.gradient.y, expected.slope[1].imag(), loose, s);
             of["gabor_noise_at"].see(n.gabor_noise_at(place.cell, place.local, kernel, seed),
                                      expected.value.imag(), tight, s);
-            of["gabor_unorm"].see(n.gabor_unorm(field.value.y),
-                                  std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0), 1e-6, s);
-            const gabor_vec2 phasor = n.gabor_phasor(field.value); // (phase, intensity)
+            of["gabor_unorm"].see(n.gabor_unorm(field.noise), std::clamp(0.5 + 0.25 * field.noise, 0.0, 1.0),
+                                  1e-6, s);
+            const gabor_vec2 phasor = n.gabor_turns_intensity({field.noise, field.quadrature});
             const std::complex<double> turned = std::polar(double{phasor.y}, 2 * std::numbers::pi * phasor.x);
-            see(of["gabor_phasor"], field.value, turned, 2e-5 * std::max(1.0f, phasor.y), s);
+            see(of["gabor_turns_intensity"], gabor_vec2(field.quadrature, field.noise), turned,
+                2e-5 * std::max(1.0f, phasor.y), s);
             CHECK((phasor.x >= 0 && phasor.x < 1));
 
             const noise::Field<2> here = reference.field(
                 noise::place_at(n.recipe, 0, 0, s.p.x * n.recipe.radius, s.p.y * n.recipe.radius));
             of["gabor_noise"].see(n.gabor_noise(s.p, frequency, orientation, seed), here.value.imag(), tight,
                                   s);
-            see(of["gabor_noise_complex"], n.gabor_noise_complex(s.p, frequency, orientation, seed),
-                here.value, tight * larger, s);
+            see(of["gabor_noise_quadrature"], n.gabor_noise_quadrature(s.p, frequency, orientation, seed),
+                test::noise_and_quadrature(here.value), tight * larger, s);
             see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
                          n.gabor_noise_gradient(s.p, frequency, orientation, seed), here, tight, loose, s);
         }
@@ -201,10 +190,10 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
                 const noise::Field<2> expected = reference.field(s.place);
                 const auto field =
                     n.gabor_field(place_of(n, s.place), n.gabor_kernel(frequency, orientation), seed);
-                of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
-                of["gabor_field, gradient"].see(field.slope_x.y, expected.slope[0].imag(),
+                of["gabor_field"].see(field.noise, expected.value.imag(), tight, s);
+                of["gabor_field, gradient"].see(field.gradient.x, expected.slope[0].imag(),
                                                 2 * slope_tolerance(frequency), s);
-                of["gabor_field, gradient"].see(field.slope_y.y, expected.slope[1].imag(),
+                of["gabor_field, gradient"].see(field.gradient.y, expected.slope[1].imag(),
                                                 2 * slope_tolerance(frequency), s);
 
                 noise::Place<2> still = noise::place_at(n.recipe, 0, 0, s.p.x * radius, s.p.y * radius);

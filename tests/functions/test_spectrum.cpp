@@ -36,8 +36,8 @@ struct Arguments {
 std::string to_string(const Arguments& s) {
     std::string lobes;
     for (const auto& l : s.lobes.lobe)
-        lobes +=
-            fmt::format(" ({} {} {} {} {})", l.frequency, l.orientation, l.radius.x, l.radius.y, l.power);
+        lobes += fmt::format(" ({} {} {} {} {})", l.cycles_per_unit, l.orientation, l.radius.x, l.radius.y,
+                             l.power);
     return fmt::format("({}, {}), frequency {} +- {}, orientation {} +- {}, seed {}, lobes{}, {}", s.p.x,
                        s.p.y, s.frequency, s.frequency_spread, s.orientation, s.orientation_spread, s.seed,
                        lobes, test::to_string(s.place));

@@ -29,8 +29,9 @@ inline std::vector<std::string> calls(const std::string& path) {
 /// Whether a call's result is within the range that the documentation promises for arbitrary arguments.
 inline bool is_in_range(const std::string& call, int point, float value) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    const int kind = std::abs(point) % 5;                       // as in functions.glsl
-    const bool is_sine = has("noise_complex(s.p, s.frequency"); // a sine's quadrature grows at low frequency
+    const int kind = std::abs(point) % 5; // as in functions.glsl
+    const bool is_sine =
+        has("noise_quadrature(s.p, s.frequency"); // a sine's quadrature grows at low frequency
     if (kind == 2 &&
         (has("place") || has("ground") || has("tile") || has("block"))) // no promise for tiny periods
         return true;

@@ -191,9 +191,14 @@ float kept(vec4 v) {
     return v.x + 0.7f * v.y - 0.5f * v.z + 0.3f * v.w;
 }
 
+float flipped(vec2 v) {
+    return kept(vec2(v.y, v.x));
+}
+
 #if defined GOLDEN_SPARSE
 float kept(GaborField f) {
-    return kept(f.value) + 0.05f * (kept(f.slope_x) + 0.3f * kept(f.slope_y));
+    vec2 slopes = f.quadrature_gradient + 0.7f * f.gradient;
+    return f.quadrature + 0.7f * f.noise + 0.05f * (slopes.x + 0.3f * slopes.y);
 }
 #else
 float kept(GaborField f) {
@@ -210,7 +215,7 @@ float kept(GaborField3d f) {
 
 #if defined GOLDEN_OCEAN
 float kept(GaborWater w) {
-    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.fold + 5.0f * kept(w.lost);
+    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.jacobian + 5.0f * kept(w.lost);
 }
 #endif
 
@@ -228,8 +233,8 @@ float kept(GaborMaterial m) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborBoard b) {
-    return kept(b.position) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.turn) + b.tone
-           + b.joint.x + (b.joint.y + 0.7f * b.joint.z) / (1.0f + abs(b.joint.y) + abs(b.joint.z)); // its edges may be steep
+    return kept(b.position) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.rotation) + b.shade
+           + b.joint_cover.x + (b.joint_cover.y + 0.7f * b.joint_cover.z) / (1.0f + abs(b.joint_cover.y) + abs(b.joint_cover.z)); // its edges may be steep
 }
 #endif
 
@@ -244,30 +249,30 @@ void see_all(int i) {
     SEE(gabor_noise(s.p, s.frequency, s.orientation, s.seed))
     SEE(gabor_unorm(gabor_noise(s.p, s.frequency, s.orientation, s.seed)))
     SEE(kept_gradient(gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed)))
-    SEE(kept(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)))
-    SEE(gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).y)
-    SEE(sin(6.2831853f * gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).x))
+    SEE(flipped(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)))
+    SEE(gabor_turns_intensity(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)).y)
+    SEE(sin(6.2831853f * gabor_turns_intensity(gabor_noise_quadrature(s.p, s.frequency, s.orientation, s.seed)).x))
     SEE(gabor_noise_tiled(s.p, s.period, s.frequency, s.orientation, s.seed))
     SEE(gabor_noise_animated(s.p, s.time, s.frequency, s.orientation, s.seed))
 #endif
 #if defined GOLDEN_SPARSE
     SEE(gabor_noise_at(s.cell, s.local, gabor_kernel(s.frequency, s.orientation), s.seed))
     GaborPlace place = gabor_place(s.cell, s.local);
-    place.radius *= 0.9f;
+    place.cells_per_radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.moment = s.time;
+    place.evolution = s.time;
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS && !defined GOLDEN_OCEAN
     GaborPlace place = gabor_place(s.cell, s.local);
-    place.radius *= 0.9f;
+    place.cells_per_radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.moment = i % 2 == 0 ? s.time : 0.0f;
+    place.evolution = i % 2 == 0 ? s.time : 0.0f;
     GaborPlace tile = gabor_place_tiled(i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p, s.period);
-    tile.moment = s.time;
+    tile.evolution = s.time;
     vec2 wave = gabor_wave_vector(s.frequency, s.orientation);
 #endif
 #if defined GOLDEN_NOISE
-    SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
+    SEE(float(gabor_derived_seed(s.seed, i) >> 8u) / 16777216.0f)
     vec2 uneven = s.frequency * vec2(s.direction.x, s.normal.x);
     float sharpness = drawn(i, 33, 0.0f, 5.0f);
     SEE(gabor_field(gabor_place(s.cell, s.local), wave, s.seed).noise)
@@ -335,9 +340,9 @@ void see_all(int i) {
 #endif
 #if defined GOLDEN_NOISE_3D
     GaborPlace3d here = gabor_place_3d_at(s.q), solid = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
-    solid.radius *= vec3(0.9f, 1.1f, 1.0f);
+    solid.cells_per_radius *= vec3(0.9f, 1.1f, 1.0f);
     solid.period = ivec3(7, 0, 12);
-    solid.moment = place.moment;
+    solid.evolution = place.evolution;
     GaborPlace3d block = gabor_place_3d_tiled(s.q, s.period_3d);
     vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
     vec3 dx = s.dx_3d, dy = s.dy_3d;
@@ -363,11 +368,11 @@ void see_all(int i) {
     GaborErosion erosion = gabor_erosion();
     if (i % 4 == 1) { // no parameter has its default
         erosion.octaves = 1 + i / 4 % 6;
-        erosion.frequency = drawn(i, 34, 0.2f, 5.0f);
+        erosion.gully_frequency = drawn(i, 34, 0.2f, 5.0f);
         erosion.strength = drawn(i, 35, 0.0f, 1.0f);
         erosion.lacunarity = drawn(i, 36, 1.5f, 3.0f);
         erosion.gain = drawn(i, 37, 0.3f, 0.7f);
-        erosion.onset = drawn(i, 38, 0.05f, 1.0f);
+        erosion.onset_slope = drawn(i, 38, 0.05f, 1.0f);
         erosion.detail = drawn(i, 39, 1.0f, 4.0f);
         erosion.uniformity = drawn(i, 40, 0.5f, 4.0f);
         erosion.ridge_rounding = drawn(i, 41, 0.0f, 1.0f);
@@ -390,17 +395,17 @@ void see_all(int i) {
     SEE(kept(base))
     SEE(kept(gabor_terrain_at(ground, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
-    vec4 ground_shares = gabor_ground(base);
+    vec4 ground_shares = gabor_ground_cover(base);
     SEE(ground_shares.x + 2.0f * ground_shares.y + 3.0f * ground_shares.z + 4.0f * ground_shares.w)
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
     GaborErosion any;
     any.octaves = i % 7;
-    any.frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
+    any.gully_frequency = drawn_to_ends(i, 60, 0.1f, 10.0f);
     any.strength = drawn_to_ends(i, 61, 0.0f, 0.5f);
     any.lacunarity = drawn_to_ends(i, 62, 1.0f, 4.0f);
     any.gain = drawn_to_ends(i, 63, 0.0f, 1.0f);
-    any.onset = drawn_to_ends(i, 64, 0.05f, 4.0f);
+    any.onset_slope = drawn_to_ends(i, 64, 0.05f, 4.0f);
     any.detail = drawn_to_ends(i, 65, 0.1f, 10.0f);
     any.uniformity = drawn_to_ends(i, 66, 0.0f, 8.0f);
     any.ridge_rounding = drawn_to_ends(i, 67, 0.0f, 2.0f);
@@ -447,7 +452,7 @@ void see_all(int i) {
     MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at)
     MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at)
     GaborBoards boards = gabor_boards_default();
-    boards.turns = 0.5f;
+    boards.turned_share = 0.5f;
     GaborBoard board = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), period, boards, s.seed);
     GaborBoard blurred = gabor_board(p, dx, dy, vec2(0.0f, 0.0f), boards, s.seed);
     GaborMaterial metal = gabor_brushed_metal(p, s.seed), stone = gabor_marble(p, s.seed);

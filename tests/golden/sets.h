@@ -4,7 +4,7 @@
 #define GOLDEN_SPARSE
 #elif defined GABOR_OF_sparse_pure
 #define GOLDEN_SPARSE
-#define GABOR_RADIUS 1.5f
+#define GABOR_CELLS_PER_RADIUS 1.5f
 #define GABOR_WEIGHT_FLOOR 0.5f
 #define GABOR_WINDOW vec3(1.0f, -1.0f, 1.0f)
 #elif defined GABOR_OF_sparse_paper
@@ -16,7 +16,7 @@
 #elif defined GABOR_OF_sparse_own // two phases and a window with three terms, which use all of the code
 #define GOLDEN_SPARSE
 #define GABOR_IMPULSES 3
-#define GABOR_RADIUS 1.25f
+#define GABOR_CELLS_PER_RADIUS 1.25f
 #define GABOR_PHASES 2
 #elif defined GABOR_OF_lattice_2
 #define GOLDEN_NOISE

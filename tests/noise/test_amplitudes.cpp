@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 
 // Turns a counter into seeds that are far from each other.
 std::uint32_t seed_of(std::uint32_t i) {
-    return noise::lattice_lobe_seed(12345, static_cast<int>(i));
+    return noise::lattice_derived_seed(12345, static_cast<int>(i));
 }
 
 // The largest count that chance can explain if `expected` is the mean.
@@ -134,7 +134,7 @@ TEST_CASE("the fields of small seeds and of lobe seeds do not correlate", "[ampl
             for (int i = 0; i < side * side; ++i)
                 field[static_cast<std::size_t>(k)].push_back(
                     amplitude(i % side - 9, i / side - 9,
-                              lobes ? noise::lattice_lobe_seed(0, k - 4) : static_cast<std::uint32_t>(k)));
+                              lobes ? noise::lattice_derived_seed(0, k - 4) : static_cast<std::uint32_t>(k)));
         double largest = 0;
         for (std::size_t a = 0; a < fields; ++a)
             for (std::size_t b = 0; b < a; ++b) {

@@ -67,6 +67,6 @@ TEST_CASE("in space, a wave for all directions replaces those of an isotropic sp
         CHECK(wave.frequency == Approx(2.5 * (1 + 0.4 * (2 * i - 2) / 3)));
         CHECK(wave.radius == std::array{1.0, 1.0});
         CHECK(wave.share == Approx(1.0 / 3));
-        CHECK(wave.seed == noise::lattice_lobe_seed(9, 128 * (64 + i)));
+        CHECK(wave.seed == noise::lattice_derived_seed(9, 128 * (64 + i)));
     }
 }

@@ -21,21 +21,21 @@ from PIL import Image
 POINTS = dict(x=np.linspace(-3, 40, 24), y=np.linspace(7, 0.1, 24))
 POINTS_3D = POINTS | dict(z=np.linspace(0.2, 9, 24))
 WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
-COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
+COMMON = dict(seed=[1, 2**32 - 1, -5], evolution=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
-SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell=[0.0, 1.0, 3.0],
-           loop=[0, 8, 256], seed=[1, 2, 3])
+SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell_height=[0.0, 1.0, 3.0],
+           loop_seconds=[0, 8, 256], seed=[1, 2, 3])
 SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
 # Each function, its fixed arguments, and three values of each argument that may be an array.
 CASES = [
     (gn.noise, POINTS, WAVE | COMMON),
     (gn.noise, POINTS | dict(period=(6, 9)), WAVE | COMMON),
     (gn.noise_gradient, POINTS, WAVE | COMMON),
-    (gn.noise_complex, POINTS, WAVE | COMMON),
+    (gn.noise_quadrature, POINTS, WAVE | COMMON),
     (gn.noise_isotropic, POINTS, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_spread, POINTS, WAVE | COMMON | dict(frequency_spread=[0.0, 0.3, 1.0], orientation_spread=[0.0, 0.4, np.pi / 2])),
-    (gn.noise_filtered, POINTS | dict(pixel=0.1), WAVE | COMMON),
-    (gn.noise_filtered, POINTS | dict(frequency=1.0), dict(pixel=SIDES)),
+    (gn.noise_filtered, POINTS | dict(pixel_size=0.1), WAVE | COMMON),
+    (gn.noise_filtered, POINTS | dict(frequency=1.0), dict(pixel_size=SIDES)),
     (gn.noise_3d, POINTS_3D, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_3d, POINTS_3D | dict(direction=(1, 2, 3), period=5), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_3d, POINTS_3D, dict(direction=[(1, 0, 0), (0, 3, 0), (-1, 1, 2)])),
@@ -46,18 +46,18 @@ CASES = [
     (gn.image, PICTURE | dict(orientation_spread=0.5), dict(frequency_spread=[0.0, 0.3, 1.0])),
     (gn.image, PICTURE | dict(lobes=[(3, 0.4), (1,)]), COMMON),
     (gn.volume, dict(shape=(2, 3, 4), scale=4.0), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
-    (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel=SIDES)),
-    (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2)), dict(pixel=SIDES)),
+    (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel_size=SIDES)),
+    (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2)), dict(pixel_size=SIDES)),
     (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3)), dict(seed=[1, 2, 3])),
     (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
-    (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
-    (gn.water, POINTS, SEA | dict(pixel=SIDES)),
-    (gn.water, POINTS | dict(swell=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
+    (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, gully_frequency=0.2), dict(seed=[1, 2, 3])),
+    (gn.water, POINTS, SEA | dict(pixel_size=SIDES)),
+    (gn.water, POINTS | dict(swell_height=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
     (gn.water_height, POINTS, SEA),
-    (gn.water_height, POINTS | dict(swell=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
+    (gn.water_height, POINTS | dict(swell_height=2.0), dict(swell_period=[5.0, 9.0, 20.0], swell_direction=[0.0, 1.0, 3.0])),
 ]
-EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
-               onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
+EROSION = dict(octaves=[1, 2, 7], gully_frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
+               onset_slope=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
                crease_rounding=[0.0, 0.4, 2.0], gully_weight=[0.0, 0.5, 1.0], branching=[0.0, 0.7, 2.0])
 MATERIALS = re.findall(r"^    (\S+):$", gn.material.__doc__.partition("Angles are in radians")[2], re.MULTILINE)
 
@@ -93,7 +93,7 @@ class Arrays(unittest.TestCase):
                     self.check(function, fixed, name, values, np.ndim(values) > 1)
 
     def test_each_parameter_of_erosion(self):
-        documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel", "seed", "period", "workers", "dtype"}
+        documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel_size", "seed", "period", "workers", "dtype"}
         self.assertEqual(documented, set(EROSION))
         for name, values in EROSION.items():
             with self.subTest(name):
@@ -110,13 +110,13 @@ class Arrays(unittest.TestCase):
                 continue
             tested += 1
             values = np.linspace(float(low), float(high), 7)[1:6:2] if low else np.eye(3)
-            needed = {"weathering": 0.5} if parameter == "patina" else {}
+            needed = {"patina_amount": 0.5} if parameter == "patina_colour" else {}
             with self.subTest(name, parameter=parameter):
-                self.check(gn.material, dict(name=name, x=x, y=y, pixel=0.02, seed=3, **needed), parameter, values, not low)
+                self.check(gn.material, dict(name=name, x=x, y=y, pixel_size=0.02, seed=3, **needed), parameter, values, not low)
         self.assertGreater(tested, 70)
         for name in MATERIALS:
-            with self.subTest(name, parameter="pixel"):
-                self.check(gn.material, dict(name=name, x=x, y=y, seed=3), "pixel", SIDES, True)
+            with self.subTest(name, parameter="pixel_size"):
+                self.check(gn.material, dict(name=name, x=x, y=y, seed=3), "pixel_size", SIDES, True)
 
     def test_each_member_of_a_lobe(self):
         for index, values in enumerate(([1.0, 3.0, 5.0], [0.0, 1.0, 2.0], [0.4, 1.0, 2.0], [0.1, 1.0, 5.0])):
@@ -133,7 +133,7 @@ class Arrays(unittest.TestCase):
 class Pictures(unittest.TestCase):
     def test_have_the_values_of_their_pixels_centres(self):
         x, y = np.meshgrid((np.arange(40) + 0.5) / 7, (np.arange(30) + 0.5) / 7)
-        wave = dict(frequency=3.0, orientation=0.7, seed=9, period=(5, 3), time=0.2)
+        wave = dict(frequency=3.0, orientation=0.7, seed=9, period=(5, 3), evolution=0.2)
         lobes = [gn.Lobe(3.0, 0.4, 0.5), gn.Lobe(2.0, 1.4, (1.5, 0.6), 3.0)]
         for picture, values in (
                 (gn.image((30, 40), scale=7, **wave), gn.noise(x, y, **wave)),
@@ -200,7 +200,7 @@ class Movies(unittest.TestCase):
         self.assertLess(error, 0.02 * 0.09)  # an error of 1 % in contrast fails
 
     def test_drift_as_a_whole(self):
-        movie = gn.movie((120, 160), 9, frequency=0.1, orientation=0.9, orientation_bandwidth=np.log(2), speed=-1.3, contrast=0.4, seed=-2)
+        movie = gn.movie((120, 160), 9, frequency=0.1, orientation=0.9, orientation_bandwidth=np.log(2), drift_per_frame=-1.3, contrast=0.4, seed=-2)
         self.assertEqual(len(movie.lobes), 16)
         x, y = gn.grid((120, 160), scale=1)
         for index, frame in enumerate(movie):
@@ -221,8 +221,8 @@ class Movies(unittest.TestCase):
 
     def test_degrees_of_visual_angle(self):
         given = dict(bandwidth=0.8, orientation=2.2, seed=4)
-        np.testing.assert_array_equal(gn.movie((40, 50), 3, frequency=3.2, speed=0.05, pixels_per_degree=32, **given)[2],
-                                      gn.movie((40, 50), 3, frequency=0.1, speed=1.6, **given)[2])
+        np.testing.assert_array_equal(gn.movie((40, 50), 3, frequency=3.2, drift_per_frame=0.05, pixels_per_degree=32, **given)[2],
+                                      gn.movie((40, 50), 3, frequency=0.1, drift_per_frame=1.6, **given)[2])
 
 
 class Calls(unittest.TestCase):
@@ -285,7 +285,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.image((4, 4), orientation=np.zeros((3, 3))), "do not broadcast: x (1, 4), y (4, 1), orientation (3, 3)"),
                 (lambda: gn.image((4, 4), period=-1), "period is -1"),
                 (lambda: gn.image((4, 4), period=(1, 2, 3)), "period is (1, 2, 3)"),
-                (lambda: gn.image((4, 4), time=np.inf), "time is inf"),
+                (lambda: gn.image((4, 4), evolution=np.inf), "evolution is inf"),
                 (lambda: gn.image((4, 4), workers=0), "workers is 0: expected an integer, 1 or more, or None for all cores"),
                 (lambda: gn.image((4, 4), dtype="int32"), "dtype is 'int32': expected float32 or float64"),
                 (lambda: gn.image((4, 4), dtype="real"), "dtype is 'real': expected float32 or float64"),
@@ -298,7 +298,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.noise(1j, 0), "x is 1j"),
                 (lambda: gn.noise([0, 1], [0, 1, 2]), "x (2,), y (3,)"),
                 (lambda: gn.noise_spread(0, 0, orientation_spread=2), "orientation_spread is 2: expected a number from 0 to 1.570797"),
-                (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel is (1, 2, 3): expected one number, or 2 numbers along the last axis"),
+                (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel_size is (1, 2, 3): expected one number, or 2 numbers along the last axis"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=(0, 0, 0)), "direction is (0, 0, 0)"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=1), "direction is 1: expected 3 numbers along the last axis"),
                 (lambda: gn.terrain(0, 0, [1, 2, 3]), "base is [1, 2, 3]: expected 4 values"),
@@ -307,7 +307,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.erode(np.zeros(5), 2), "heights is an array of shape (5,)"),
                 (lambda: gn.material("wod", 0, 0), "name is 'wod': expected one of wood"),
                 (lambda: gn.material("wood", 0, 0, rings=300), "rings is 300: expected a number from 2 to 60"),
-                (lambda: gn.material("wood", 0, 0, early=0.5), "early is 0.5: expected a linear colour"),
+                (lambda: gn.material("wood", 0, 0, earlywood_colour=0.5), "earlywood_colour is 0.5: expected a linear colour"),
                 (lambda: gn.source("noise", "basic"), "language is 'basic'"),
                 (lambda: gn.source("perlin"), "name is 'perlin'")):
             with self.assertRaises(ValueError, msg=said) as caught:
@@ -320,29 +320,29 @@ class Calls(unittest.TestCase):
             self.assertIn(said, str(caught.exception))
 
     def test_defaults(self):
-        common = "seed=0, period=None, time=None, workers=None, dtype=float32"
+        common = "seed=0, period=None, evolution=None, workers=None, dtype=float32"
         wave = f"x, y, frequency=4.0, orientation=0.0, {common}"
-        ground = common.replace("time=None, ", "")
-        sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell=0.0, swell_period=12.0, swell_direction=0.0, loop=0, " \
+        ground = common.replace("evolution=None, ", "")
+        sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell_height=0.0, swell_period=12.0, swell_direction=1.0471975511965976, loop_seconds=0, " \
               "seed=0, workers=None, dtype=float32"
         for name, expected in {
                 "image": "shape, scale=32.0, frequency=4.0, orientation=0.0, isotropic=False, frequency_spread=0.0, orientation_spread=0.0, "
                          f"lobes=None, {common}",
                 "volume": f"shape, scale=32.0, frequency=4.0, direction=None, {common}",
                 "grid": "shape, scale=32.0",
-                "noise": wave, "noise_gradient": wave, "noise_complex": wave,
+                "noise": wave, "noise_gradient": wave, "noise_quadrature": wave,
                 "noise_isotropic": wave.replace("orientation=0.0, ", ""),
                 "noise_spread": wave.replace("seed", f"frequency_spread=0.0, orientation_spread={np.pi / 2}, seed"),
                 "noise_lobes": f"x, y, lobes, {common}",
-                "Lobe": "frequency, orientation=0.0, radius=1.0, power=1.0",
-                "noise_filtered": wave.replace("y,", "y, pixel,"),
+                "Lobe": "cycles_per_unit, orientation=0.0, radius=1.0, power=1.0",
+                "noise_filtered": wave.replace("y,", "y, pixel_size,"),
                 "noise_3d": f"x, y, z, frequency=4.0, direction=None, {common}",
                 "stripes": f"x, y, wave_x, wave_y, sharpness=2.0, {common}",
-                "terrain": f"x, y, base=None, pixel=0.0, {ground}",
-                "erode": f"heights, extent, tileable=False, {ground.replace('period=None, ', '')}",
-                "material": f"name, x, y, pixel=0.0, {ground}, parameters",
-                "water": sea.replace("seed", "pixel=0.0, seed"), "water_height": sea,
-                "movie": "shape, frames, frequency=0.05, bandwidth=1.0, orientation=0.0, orientation_bandwidth=0.5, speed=1.0, contrast=1.0, "
+                "terrain": f"x, y, base=None, pixel_size=0.0, {ground}",
+                "erode": f"heights, extent, gully_width=None, tileable=False, {ground.replace('period=None, ', '')}",
+                "material": f"name, x, y, pixel_size=0.0, {ground}, parameters",
+                "water": sea.replace("seed", "pixel_size=0.0, seed"), "water_height": sea,
+                "movie": "shape, frames, frequency=0.05, bandwidth=1.0, orientation=0.0, orientation_bandwidth=0.5, drift_per_frame=1.0, contrast=1.0, "
                          "seed=0, pixels_per_degree=None, workers=None",
                 "source": "name=noise, language=glsl"}.items():
             found = [f"{each.name}={getattr(each.default, '__name__', each.default)}" if each.default is not each.empty else each.name
@@ -352,6 +352,7 @@ class Calls(unittest.TestCase):
     def test_help(self):
         self.assertEqual(inspect.signature(gn.terrain).parameters["octaves"].default, 5)
         self.assertEqual(inspect.signature(gn.erode).parameters["gully_weight"].default, 0.5)
+        self.assertEqual(inspect.signature(gn.erode).parameters["strength"].default, 0.15)
         self.assertIn("        rings: growth rings per unit, 2 to 60 [13.0]\n", gn.material.__doc__)
         for name in gn.__all__:
             self.assertTrue(getattr(gn, name).__doc__, name)
@@ -361,7 +362,7 @@ class Erosion(unittest.TestCase):
     HILLS = gn.terrain(*gn.grid((240, 240), 30), octaves=0, dtype=np.float64)[..., 0]
 
     def test_returned_slopes_are_those_of_the_result(self):
-        result = gn.erode(self.HILLS, 8, octaves=2, frequency=0.5, dtype=np.float64)
+        result = gn.erode(self.HILLS, 8, gully_width=2, **dict(octaves=2, strength=0.12, onset_slope=0.5, detail=1.5, uniformity=2, crease_rounding=0.1), dtype=np.float64)
         self.assertGreater((result[..., 0] - self.HILLS).std(), 0.01)
         for channel, axis in ((1, 1), (2, 0)):
             numeric = np.gradient(result[..., 0], 1 / 30, axis=axis)
@@ -374,6 +375,15 @@ class Erosion(unittest.TestCase):
             other = gn.erode(height * self.HILLS, width, seed=5, dtype=np.float64)
             np.testing.assert_allclose(other[..., 0], height * result[..., 0], rtol=0, atol=2e-5 * height)
             np.testing.assert_allclose(other[..., 1:3] * (width / 8), height * result[..., 1:3], rtol=0, atol=1e-3 * height)
+
+    def test_changes_are_at_most_an_eighth_of_the_range(self):
+        x, y = gn.grid((160, 160), 20)
+        steep = np.sin(12 * x) + 0 * y
+        most = np.ptp(steep) / 8
+        self.assertLess(np.abs(gn.erode(steep, 8)[..., 0] - steep).max(), most)
+        self.assertGreater(np.abs(gn.erode(steep, 8, strength=0.15)[..., 0] - steep).max(), most)
+        with self.assertRaisesRegex(TypeError, "gully_width or gully_frequency"):
+            gn.erode(steep, 8, gully_width=1, gully_frequency=1)
 
     def test_a_map_is_smoothed_alike_along_both_axes(self):
         for tileable in False, True:

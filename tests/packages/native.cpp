@@ -28,12 +28,12 @@ void gabor_evaluate(const char* name, std::size_t inputs, const double* const* d
 
 void gabor_fill_grid(float* out, std::size_t height, std::size_t width, const double* first,
                      std::size_t count, const Wave* waves, const std::uint32_t* seeds, const float* period,
-                     double time, std::size_t threads) {
+                     double evolution, std::size_t threads) {
     fill_grid({out, {height, width}, {}}, {first[0], first[1]}, {waves, waves + count},
-              {seeds, seeds + count}, {period[0], period[1]}, time, threads);
+              {seeds, seeds + count}, {period[0], period[1]}, evolution, threads);
 }
 
-std::uint32_t gabor_seed_of_lobe(std::uint32_t seed, int index) {
-    return gabor_lobe_seed(seed, index);
+std::uint32_t gabor_seed_derived(std::uint32_t seed, int index) {
+    return gabor_derived_seed(seed, index);
 }
 }

@@ -11,7 +11,7 @@ import numpy as np
 
 library, folder = ctypes.CDLL(sys.argv[1]), sys.argv[2]
 library.gabor_attributes.restype = ctypes.c_char_p
-library.gabor_seed_of_lobe.restype = ctypes.c_uint32
+library.gabor_seed_derived.restype = ctypes.c_uint32
 
 
 def pointer(array):
@@ -28,17 +28,17 @@ def evaluate(name, arrays, out, workers):
                            ctypes.c_size_t(out.size), ctypes.c_size_t(workers))
 
 
-def fill_grid(out, first, waves, seeds, period, time, workers):
+def fill_grid(out, first, waves, seeds, period, evolution, workers):
     assert out.dtype == np.float32 and out.flags.c_contiguous
     waves, seeds = np.array(waves, float), np.array(seeds, np.uint32)
     library.gabor_fill_grid(pointer(out), *map(ctypes.c_size_t, out.shape), pointer(np.array(first, float)), ctypes.c_size_t(len(waves)),
-                            pointer(waves), pointer(seeds), pointer(np.array(period, np.float32)), ctypes.c_double(time),
+                            pointer(waves), pointer(seeds), pointer(np.array(period, np.float32)), ctypes.c_double(evolution),
                             ctypes.c_size_t(workers))
 
 
 native = sys.modules["gabor_noise._native"] = types.ModuleType("gabor_noise._native")
 vars(native).update(ast.literal_eval(library.gabor_attributes().decode()), evaluate=evaluate, fill_grid=fill_grid,
-                    lobe_seed=lambda seed, index: library.gabor_seed_of_lobe(ctypes.c_uint32(seed), ctypes.c_int(index)))
+                    derived_seed=lambda seed, index: library.gabor_seed_derived(ctypes.c_uint32(seed), ctypes.c_int(index)))
 sys.path.insert(0, folder)
 sys.argv[:3] = []
 runpy.run_path(sys.argv[0], run_name="__main__")

@@ -173,10 +173,10 @@ common = dict(frequency=4.0, orientation=np.float32(0.7854), seed=7)
 gradient = noise_gradient(x, y, **common)
 pictures = {
     "noise": noise(x, y, **common),
-    "complex": noise_complex(x, y, **common)[..., 0],
+    "complex": noise_quadrature(x, y, **common)[..., 1],
     "gradient": gradient @ np.float32([1, 1 / 32, 2 / 32]),
     "tiled": noise(x, y, period=(2, 1), **common),
-    "animated": noise(x, y, time=0.3, **common),
+    "animated": noise(x, y, evolution=0.3, **common),
     "stripes": stripes(x, y, 4 * np.cos(0.7854), 4 * np.sin(0.7854), seed=7) @ np.float32([0.25, 0.5, 0.75]),
 }
 assert all(each.dtype == np.float32 for each in pictures.values())
@@ -191,7 +191,7 @@ print(gabor_noise.__version__)
     # Calls with each argument off its default, and the channels that they return, in C++.
     CALLS = {
         "noise(x, y, **wave, **place)": "field.noise",
-        "noise_complex(x, y, **wave, **place)": "field.quadrature field.noise",
+        "noise_quadrature(x, y, **wave, **place)": "field.noise field.quadrature",
         "noise_gradient(x, y, **wave, **place)": "field.noise field.gradient.x field.gradient.y",
         "noise_filtered(x, y, (0.1, 0.3), **wave, **place)": "filtered.noise filtered.removed",
         "noise_isotropic(x, y, frequency=-2.5, **place)": "gabor_field_isotropic(place,-2.5f,seed).noise",
@@ -204,19 +204,19 @@ print(gabor_noise.__version__)
         "terrain(x, y, seed=7, octaves=0)": "hills.height hills.slope.x hills.slope.y hills.ridge",
         "terrain(x, y, seed=7)": "mountains.height mountains.slope.x mountains.slope.y mountains.ridge",
         "terrain(x, y, terrain(x, y, seed=7), seed=8, **rough)": "badlands.height badlands.slope.x badlands.slope.y badlands.ridge",
-        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel=(0.1, 0.3), period=(8, 16), **rough)":
+        "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel_size=(0.1, 0.3), period=(8, 16), **rough)":
             "island.height island.slope.x island.slope.y island.ridge",
-        "water(x, y, seconds=100.25, pixel=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
-                                                               "water.fold water.lost.x water.lost.y water.lost.z",
+        "water(x, y, seconds=100.25, pixel_size=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
+                                                               "water.jacobian water.lost.x water.lost.y water.lost.z",
         "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
-        **{f"material('{name.replace('_', '-')}', x, y, pixel=(0.1, 0.3), period=(6, 4), seed=-9)":
+        **{f"material('{name.replace('_', '-')}', x, y, pixel_size=(0.1, 0.3), period=(6, 4), seed=-9)":
            " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
                                                   "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
     GIVEN = """
-wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), time=0.3), dict(seed=-9, period=(4, 5, 6), time=0.3)
-rough = dict(octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
+wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), evolution=0.3), dict(seed=-9, period=(4, 5, 6), evolution=0.3)
+rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-sea = dict(wind=8, direction=0.7, fetch=3e4, swell=1.5, swell_period=9, swell_direction=2.1, loop=256, seed=-9)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, loop_seconds=256, seed=-9)
 def channels(made):
     if isinstance(made, dict):
         return [each for name, part in made.items()
@@ -230,7 +230,7 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         const gabor_vec2 dx(0.1f, 0.0f), dy(0.0f, 0.3f), wave = gabor_wave_vector(-2.5f, 0.6f);
         GaborPlace place = gabor_place_tiled(p, gabor_vec2(6.0f, 9.0f));
         GaborPlace3d space = gabor_place_3d_tiled(gabor_vec3(p, 0.3f), gabor_vec3(4.0f, 5.0f, 6.0f));
-        place.moment = space.moment = 0.3f;
+        place.evolution = space.evolution = 0.3f;
         const GaborField field = gabor_field(place, wave, seed), filtered = gabor_field_filtered(place, dx, dy, wave, seed);
         const gabor_vec3 along = gabor_stripes_of(gabor_field(place, gabor_vec2(1.5f, -0.7f), seed), 3.0f),
                          spatial = -2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));

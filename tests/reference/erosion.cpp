@@ -126,12 +126,12 @@ Terrain eroded_point(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy,
     };
     Vector<2> steer = base.slope;
     double open = 1;
-    double gully = base.ridge, depth = double{erosion.strength} / erosion.frequency, width = 1;
+    double gully = base.ridge, depth = double{erosion.strength} / erosion.gully_frequency, width = 1;
     double mask = 1, round = rounding(base.ridge);
-    float frequency = erosion.frequency;
+    float frequency = erosion.gully_frequency;
     for (int octave = 0; octave < erosion.octaves; ++octave) {
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
-        mask *= std::pow(mask_of(steep / std::max(double{erosion.onset}, 1e-6), round), 2);
+        mask *= std::pow(mask_of(steep / std::max(double{erosion.onset_slope}, 1e-6), round), 2);
         if (octave == 0)
             open = std::lerp(mask, 1.0, std::pow(std::max(base.ridge, 0.0), 2)); // flat valleys stay open
         const Vector<2> wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
@@ -146,7 +146,7 @@ Terrain eroded_point(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy,
             const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], nodes);
             const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], nodes);
             const Field<2> field =
-                wave_noise(taps, wave, lattice_lobe_seed(seed, octave))
+                wave_noise(taps, wave, lattice_derived_seed(seed, octave))
                     .field({{x.cell, y.cell}, {x.local, y.local}, {x.nodes, y.nodes}, {x.period, y.period}});
             const double s = erosion.uniformity;
             z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;
@@ -181,7 +181,8 @@ Terrain continued(const Terrain& base, Vector<2> d) {
 Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed) {
     Terrain result = eroded_point(taps, ground, dx, dy, base, erosion, seed);
-    const double finest = erosion.frequency * std::pow(erosion.lacunarity, std::max(erosion.octaves - 1, 0));
+    const double finest =
+        erosion.gully_frequency * std::pow(erosion.lacunarity, std::max(erosion.octaves - 1, 0));
     const double step = 1e-5 / std::max(finest, 1.0);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto height = [&](double distance) {

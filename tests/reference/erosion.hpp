@@ -19,11 +19,11 @@ struct Terrain {
 };
 struct Erosion {
     int octaves = 5;
-    float frequency = 1.5f;
+    float gully_frequency = 1.5f;
     float strength = 0.12f;
     float lacunarity = 2;
     float gain = 0.5f;
-    float onset = 0.5f;
+    float onset_slope = 0.5f;
     float detail = 1.5f;
     float uniformity = 2;
     float ridge_rounding = 0.1f;

@@ -103,7 +103,7 @@ std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t 
     return node_word(std::array{lattice_line_word(column, 0, seed), lattice_line_word(row, 1, seed)});
 }
 
-std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
+std::uint32_t lattice_derived_seed(std::uint32_t seed, int index) {
     return mix(seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu, spread);
 }
 

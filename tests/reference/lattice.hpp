@@ -64,7 +64,7 @@ std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed);
 
 /// The seed of lobe `index` in a sum of independent noises.
-std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index);
+std::uint32_t lattice_derived_seed(std::uint32_t seed, int index);
 
 /// Maps u, uniform in [-1, 1], to a nearly normal value, which is one part of an amplitude.
 double lattice_amplitude_part(double u);

@@ -188,7 +188,7 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
                              orientation + orientation_spread * around.middle,
                              {1, 1},
                              along.share * around.share,
-                             lattice_lobe_seed(seed, 128 * along.index + around.index)});
+                             lattice_derived_seed(seed, 128 * along.index + around.index)});
     }
     return lobes;
 }
@@ -204,7 +204,7 @@ Sum<3> surface_noise(const Vector<3>& normal, double frequency, const Vector<3>&
     const auto add = [&](const Vector<3>& wave, double weight, int index) {
         if (weight > 0)
             sum.add(weight / std::hypot(first, 1 - first),
-                    wave_noise(3, scaled(frequency, unit(wave)), lattice_lobe_seed(seed, index)));
+                    wave_noise(3, scaled(frequency, unit(wave)), lattice_derived_seed(seed, index)));
     };
     add(along, first, 0);
     add(instead, 1 - first, 1);
@@ -220,7 +220,7 @@ Sum<3> isotropic_surface_noise(const Vector<3>& normal, double frequency, std::u
             return;
         const Vector<3> along = unit(cross(axis, normal));
         sum.add(weight / length,
-                tangent_noise(frequency, {along, cross(normal, along)}, lattice_lobe_seed(seed, index)));
+                tangent_noise(frequency, {along, cross(normal, along)}, lattice_derived_seed(seed, index)));
     };
     add({0, 0, 1}, first, 0);
     add({1, 0, 0}, 1 - first, 1);

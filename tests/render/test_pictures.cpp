@@ -44,7 +44,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
         const noise::Lobe& lobe = request.lobes[i];
         const std::uint32_t seed = request.lobes.size() == 1
                                        ? request.seed
-                                       : noise::lattice_lobe_seed(request.seed, static_cast<int>(i));
+                                       : noise::lattice_derived_seed(request.seed, static_cast<int>(i));
         const double angle = noise::radians(lobe.orientation);
         if (lobe.is_one_wave()) {
             terms.push_back({lobe.frequency, angle, lobe.radii(), lobe.power, seed});
@@ -78,7 +78,7 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
         place.cell[axis] = static_cast<std::int32_t>(std::floor(at));
         place.local[axis] = at - std::floor(at);
     }
-    place.time = request.time - std::floor(request.time);
+    place.time = request.evolution - std::floor(request.evolution);
     return place;
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
             render::Request tile = far;
             tile.width = 101;
             tile.height = 94;
-            tile.time = 3.3;
+            tile.evolution = 3.3;
             tile.quadrature = true;
             tile.view = render::Plane{.tileable = true};
             for (render::Request& request : {std::ref(far), std::ref(tile)}) {
@@ -317,7 +317,7 @@ TEST_CASE("colour pictures of noise in space mix the values of grey ones", "[ren
                                     .scale = 17.3,
                                     .lobes = {several[0], several[1]},
                                     .seed = 77,
-                                    .time = 0.3,
+                                    .evolution = 0.3,
                                     .view = view,
                                     .filter = filter,
                                     .quadrature = true};

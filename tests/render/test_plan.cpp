@@ -235,7 +235,7 @@ TEST_CASE("a longer focal length shows as much of a landscape from farther away"
         const Request request = request_of({{"view", "landscape"}, {"focal_length", length}});
         return values_of<passes::TerrainPush>(whole(request).steps.front().push).at(0);
     };
-    const passes::TerrainPush near = push("0.8"), far = push("2.4");
+    const passes::TerrainPush near = push("28.8"), far = push("86.4");
     CHECK(far.distance == Approx(3 * near.distance));
     CHECK(far.distance * far.pixel == Approx(near.distance * near.pixel));
 }

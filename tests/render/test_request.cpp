@@ -292,7 +292,7 @@ TEST_CASE("conflicting parameters are refused, or dropped on request", "[request
                              Pair{of_view("flat"), "paint", "a.exr", "view", "horizon"},
                              Pair{of_view("flat"), "filter", "true", "recipe", "lattice-2"},
                              Pair{of_view("flat"), "lobes", "[{\"stretch\": 2}]", "recipe", "one"},
-                             Pair{of_view("flat"), "time", "0.5", "material", "sand"},
+                             Pair{of_view("flat"), "evolution", "0.5", "material", "sand"},
                              Pair{of_view("flat"), "phasor", "true", "material", "sand"},
                              Pair{of_view("flat"), "recipe", "one", "material", "wood"},
                              Pair{of_view("flat"), "recipe", "one", "view", "terrain"},

@@ -141,7 +141,7 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const auto frequency = static_cast<float>(lobe.frequency);
     const bool isotropic = lobe.orientation_spread > 0;
     GaborPlace3d place = gabor_place_3d_at(narrow(seen.p));
-    place.moment = static_cast<float>(request.time);
+    place.evolution = static_cast<float>(request.evolution);
     const Body* body = std::get_if<Body>(&request.view);
     if (body && !body->solid && request.filter)
         return isotropic
@@ -216,7 +216,7 @@ TEST_CASE("each pixel of a slice is the noise at its centre", "[solid]") {
                         .scale = 11.5,
                         .lobes = {{spread > 0 ? 1.2 : 3.5, 63, 0, spread}},
                         .seed = 5,
-                        .time = 0.3,
+                        .evolution = 0.3,
                         .view = Slice{7.3}};
         compare(device, request);
         compare(device, request, Blocks::fitted);
@@ -241,7 +241,7 @@ TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits the
                                  .scale = 4,
                                  .lobes = {{solid && spread > 0 ? 1.0 : 2.0, -79, 0, spread}},
                                  .seed = 6,
-                                 .time = detailed ? 0.6 : 0,
+                                 .evolution = detailed ? 0.6 : 0,
                                  .view = body,
                                  .filter = !solid || spread > 0,
                                  .quadrature = detailed,

@@ -46,7 +46,7 @@ BAD_MACROS = {
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES must be a power of two *, from 2 to 256"),
         ("GABOR_PHASES", "512", "GABOR_PHASES must be a power of two *, from 2 to 256"),
-        ("GABOR_RADIUS", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
+        ("GABOR_CELLS_PER_RADIUS", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
         ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
         ("GABOR_WINDOW", "1.0", "gabor_impl_needs_int_float_float_int_vec3_macros"),
     ],

@@ -21,8 +21,8 @@ PICTURES = {
     "flat": {**SMALL, "material": "carbon-fibre", "filter": True, "seed": 3},
     "horizon": {**SMALL, "material": "carbon-fibre", "filter": True, "view": "horizon"},
     "sphere": {**SMALL, "material": "brushed-metal", "view": "sphere", "yaw": 40},
-    "torus": {**SMALL, "material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.contrast": 0.2,
-              "brushed-metal.colour": [0.6, 0.4, 0.2]},
+    "torus": {**SMALL, "material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.streak_contrast": 0.2,
+              "brushed-metal.metal_colour": [0.6, 0.4, 0.2]},
     "terrain": {**TERRAIN, **SMALL},
     "landscape": {**LANDSCAPE, **SMALL},
 }

@@ -47,7 +47,7 @@ class Bodies(OutputsTest):
             "leather in the dark": {"material": "leather", "environment": "dark"},
             "terrain": TERRAIN,
             "landscape": LANDSCAPE,
-            "ocean": {"view": "ocean", "wind": 14, "fetch": 90, "swell": 6, "swell_period": 9, "swell_direction": 70, "seed": 3, "time": 8.5,
+            "ocean": {"view": "ocean", "wind": 14, "fetch": 90000, "swell_height": 6, "swell_period": 9, "swell_direction": 70, "seed": 3, "seconds": 8.5,
                       "light_azimuth": 60, "light_elevation": 15},
         }
         self.compare(cases)

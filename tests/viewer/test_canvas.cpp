@@ -86,7 +86,7 @@ TEST_CASE("drawing by blocks equals drawing pixel by pixel, wherever the camera 
     check("one", request, Output::phase);
     request.recipe = noise::find_recipe("lattice");
     request.view = render::Plane{true};
-    request.time = 0.3;
+    request.evolution = 0.3;
     request.lobes = {{.frequency = 3, .radius = 1.7}, {.frequency = 5, .orientation = 70, .power = 0.3}};
     check("lobes, tileable", request, Output::value);
 }

@@ -234,18 +234,18 @@ class Events(EventsTest):
         self.close()
 
     def test_time_plays_in_a_loop_or_at_sea_on_and_on(self):
-        for view, rate, first in (("flat", 1 / 8, 0.9), ("ocean", 1, 5)): # a period takes 8 seconds
-            self.open(*WINDOW, self.preset(f"{view}.json", view=view, width=64, height=64, time=first))
+        for view, name, rate, first in (("flat", "evolution", 1 / 8, 0.9), ("ocean", "seconds", 1, 5)): # a period takes 8 seconds
+            self.open(*WINDOW, self.preset(f"{view}.json", view=view, width=64, height=64, **{name: first}))
             self.keys("space")
-            start, before = time.monotonic(), self.document["time"]
-            self.wait_for(lambda state: (state["document"]["time"] - before) % 1e3 % (1 if view == "flat" else 1e3) > 2 * rate)
-            moved = self.document["time"] - before
+            start, before = time.monotonic(), self.document[name]
+            self.wait_for(lambda state: (state["document"][name] - before) % 1e3 % (1 if view == "flat" else 1e3) > 2 * rate)
+            moved = self.document[name] - before
             self.assertAlmostEqual((moved % 1 if view == "flat" else moved) / rate / (time.monotonic() - start), 1, delta=0.5)
-            self.assertTrue(view == "ocean" or self.document["time"] < 1)
+            self.assertTrue(view == "ocean" or self.document["seconds"] < 1)
             self.keys("space")
-            still = self.document["time"]
+            still = self.document[name]
             self.frames(3)
-            self.assertEqual(self.document["time"], still)
+            self.assertEqual(self.document[name], still)
             self.keys("ctrl+q") # without a question: playing changes nothing
             self.end()
 

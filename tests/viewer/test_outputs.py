@@ -6,11 +6,11 @@ from outputs import (COLOURED, GRADIENT, INTENSITY, LIT, LIT_STRIPES, LOBES, PAR
 
 NOISES = {
     "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
-    "lattice-4, later": {"recipe": "lattice-4", "frequency": 5, "orientation": -50, "time": 0.3},
+    "lattice-4, later": {"recipe": "lattice-4", "frequency": 5, "orientation": -50, "evolution": 0.3},
     "lattice, tileable": {"orientation": 40, "tileable": True},
     "one": {"recipe": "one"},
     "paper": {"recipe": "paper", "frequency": 2.5, "orientation": 30, "seed": 9},
-    "pure, later": {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 4000000000, "time": 0.3},
+    "pure, later": {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 4000000000, "evolution": 0.3},
     "lobes": {"lobes": [{"frequency": 3, "orientation": 20}, {"frequency": 5, "orientation": 100, "power": 0.5}],
               "seed": 5},
     "radii": {"lobes": [{"frequency": 3, "frequency_spread": 0.3, "radius": 2},
@@ -30,7 +30,7 @@ PLANES = {
     "lit": ({"orientation": 40}, LIT, 3, 2),
     "lit lobes": ({"lobes": LOBES, "seed": 5, "filter": True}, LIT, 1, 3),
     "phase": ({"recipe": "one", "orientation": 40}, PHASE, 1, 2),
-    "grey phase": ({"time": 0.3}, PHASE, 0, 2),
+    "grey phase": ({"evolution": 0.3}, PHASE, 0, 2),
     "intensity": ({"recipe": "lattice-2", "tileable": True}, INTENSITY, 3, 2),
     "filtered intensity": ({"frequency": 7, "filter": True}, INTENSITY, 4, 1),
     "own colours": ({"orientation": 40}, VALUE, 5, 2),

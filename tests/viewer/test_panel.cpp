@@ -336,7 +336,7 @@ TEST_CASE("the panel shows only what has an effect") {
                                                {"rings", wood, noise},
                                                {"frequency", noise, wood},
                                                {"colours", noise, wood},
-                                               {"time", noise, wood}}) {
+                                               {"evolution", noise, wood}}) {
         INFO(label);
         CHECK(has(with, label));
         CHECK_FALSE(has(without, label));
@@ -773,7 +773,7 @@ TEST_CASE("a photograph's noise replaces the document's, and another number of l
          std::vector<std::function<void(Document&)>>{[](Document& d) { d.request.lobes[0].frequency *= 1.1; },
                                                      [](Document& d) { d.output = Output::lit; },
                                                      [](Document& d) { d.request.view = render::Horizon(); },
-                                                     [](Document& d) { d.request.time = 0.5; }}) {
+                                                     [](Document& d) { d.request.evolution = 0.5; }}) {
         const Document kept = document;
         change(document);
         CHECK_FALSE(fitted_glsl(session)); // which draws only what was fitted

@@ -39,7 +39,7 @@ Document unlike_any() {
     document.request.light_azimuth = 70;
     document.request.light_elevation = 25;
     document.request.environment = 1;
-    document.request.time = 0.3;
+    document.request.evolution = 0.3;
     return document;
 }
 
@@ -151,7 +151,7 @@ std::optional<render::Value> other_value(const render::Parameter& parameter, con
 }
 
 TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
-    constexpr std::array still{"time", "yaw", "pitch", "zoom", "focal_length", "altitude"};
+    constexpr std::array still{"evolution", "seconds", "yaw", "pitch", "zoom", "focal_length", "altitude"};
     std::set<std::string_view> seen;
     std::vector<render::Request> requests;
     for (const std::string_view view : render::parameter("view").choices) {

@@ -52,7 +52,7 @@ Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool spla
 // Adds functions of passes/bench/recipe.comp, in the order of their numbers. Sparse recipes have only the
 // first `of_sparse`.
 void add_drop_in(std::vector<Subject>& all) {
-    static constexpr std::array names{"noise",          "noise_gradient", "noise_complex and phasor",
+    static constexpr std::array names{"noise",          "noise_gradient", "noise_quadrature and phasor",
                                       "noise_tiled",    "noise_animated", "noise_spread",
                                       "field_lobes, 3", "noise_filtered", "noise_isotropic"};
     constexpr std::uint32_t of_sparse = 5;

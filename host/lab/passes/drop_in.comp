@@ -12,5 +12,5 @@ void main() {
         return;
     uint seed;
     vec2 p = place_of(i, seed);
-    values[i] = amplitude * gabor_noise(p / GABOR_RADIUS, length(wave), atan(wave.y, wave.x), seed);
+    values[i] = amplitude * gabor_noise(p / GABOR_CELLS_PER_RADIUS, length(wave), atan(wave.y, wave.x), seed);
 }

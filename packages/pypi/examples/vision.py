@@ -16,7 +16,7 @@ folder = parser.parse_args().save
 
 # Two cycles per degree, one octave and 30 degrees wide, moving to the right at four degrees a second.
 movie = gabor_noise.movie((512, 512), 120, frequency=2.0, bandwidth=1.0, orientation=0.0, orientation_bandwidth=np.radians(30),
-                          speed=4 / 60, contrast=0.25, pixels_per_degree=32, seed=7)
+                          drift_per_frame=4 / 60, contrast=0.25, pixels_per_degree=32, seed=7)
 frames = [np.clip(frame, -1, 1) for frame in movie]  # cuts off one value in 16000, as the display does
 
 if folder:

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import importlib.resources
 import inspect
-from typing import Any, Callable, Literal, NamedTuple, Sequence
+from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -32,7 +32,7 @@ from ._arguments import MEMBERS, evaluate, fill_grid, members, number, numbers, 
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
-__all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
+__all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_quadrature", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
            "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "movie", "Movie", "source"]
 __version__ = "@VERSION@"
 
@@ -57,7 +57,7 @@ def _axes(shape: Sequence[int], scale: float, *dimensions: int) -> tuple[NDArray
 def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
           isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
           lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
-          time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+          evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a picture of noise, with one value per pixel: mean 0, variance 1.
 
     shape: (height, width) in pixels.
@@ -80,7 +80,7 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise in 3D, with one value per voxel: mean 0, variance 1.
 
@@ -89,42 +89,42 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
     The other arguments are those of `noise_3d`.
     """
     x, y, z = _axes(shape, scale, 3)
-    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, workers=workers,
+    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, evolution=evolution, workers=workers,
                     dtype=dtype)
 
 
 # ---- Noise ---------------------------------------------------------------------------------------------------------
 
 def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-          period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+          period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
     frequency: cycles per kernel radius, up to 10^6.
     orientation: direction of the wave vector in radians; waves run along it.
     period: kernel radii, at least 1/1024.
-    time: time in an animation with period 1; 0 or None for none.
+    evolution: time in an animation that repeats after 1, in turns; 0 or None for none.
     """
     return evaluate("noise", locals())
 
 
 def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                   period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                   period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
     return evaluate("gradient", locals())
 
 
-def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                  period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return (quadrature, noise) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
+    """Return (noise, quadrature) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
     ahead; arctan2(noise, quadrature) is the phase of stripes of even contrast. Arguments are those of `noise`."""
-    return evaluate("complex", locals())
+    return evaluate("quadrature", locals())
 
 
 def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
-                    period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                    period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of waves in all directions, at the same cost for every frequency. Arguments are those of `noise`."""
     return evaluate("isotropic", locals())
@@ -132,7 +132,7 @@ def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, s
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
                  frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
-                 period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                 period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of a range of waves, a sum of up to 1024 noises: of 10 for all directions at frequency 2.
 
@@ -146,18 +146,18 @@ def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orie
 class Lobe(NamedTuple):
     """Noise around one wave vector, as a part of `noise_lobes`. Each member is a number, or an array that broadcasts."""
 
-    frequency: ArrayLike  # cycles per unit of x and y, whatever the radius
+    cycles_per_unit: ArrayLike  # the waves' frequency per unit of x and y, whatever the radius
     orientation: ArrayLike = 0.0  # as in `noise`
     radius: ArrayLike = 1.0  # radius of the kernels along x and y, one number or a pair along the last axis
     power: ArrayLike = 1.0  # power relative to the other lobes, 0 or more
 
 
 def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
-                time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+                evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
     deviation of 1/sqrt(12) / radius cycles per unit.
 
-    lobes: 1 to 16 of them; or tuples like them, such as (frequency, orientation).
+    lobes: 1 to 16 of them; or tuples like them, such as (cycles_per_unit, orientation).
     The other arguments are those of `noise`.
     """
     return evaluate("lobes", locals(), _inputs(lobes))
@@ -165,7 +165,7 @@ def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: Arra
 
 def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
     """Return five inputs for each lobe."""
-    expected = "1 to 16 lobes: (frequency, orientation, radius, power), of which the last three may be left out"
+    expected = "1 to 16 lobes: (cycles_per_unit, orientation, radius, power), of which the last three may be left out"
     try:
         complete = [Lobe(*lobe) for lobe in lobes]
     except TypeError:
@@ -175,7 +175,7 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
     inputs: list[NDArray[np.float64]] = []
     for index, lobe in enumerate(complete):
         try:
-            inputs += [numbers("frequency", lobe.frequency), numbers("orientation", lobe.orientation),
+            inputs += [numbers("cycles_per_unit", lobe.cycles_per_unit), numbers("orientation", lobe.orientation),
                        *vector("radius", lobe.radius, 2), numbers("power", lobe.power)]
         except ValueError as error:
             raise ValueError(f"lobes[{index}]: {error}") from None
@@ -184,19 +184,19 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
     return inputs
 
 
-def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                   seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None,
+def noise_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
+                   seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                    workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
-    pixel: the pixel's sides in kernel radii, one number or a pair along the last axis.
+    pixel_size: the pixel's sides in kernel radii, one number or a pair along the last axis.
     The other arguments are those of `noise`.
     """
     return evaluate("filtered", locals())
 
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-             seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+             seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
              dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
@@ -212,7 +212,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
 
 
 def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
-            period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+            period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
             dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
 
@@ -225,7 +225,7 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
 
 # ---- Terrain -------------------------------------------------------------------------------------------------------
 
-def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
+def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
             period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
             **erosion: ArrayLike) -> NDArray[Any]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
@@ -233,7 +233,7 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel:
 
     base: the same four values of a terrain to erode, along its last axis, or seven with its curvature (xx, xy, yy), without
     which slopes err by 0.45 times the rms slope; None for hills about four units wide.
-    pixel: the pixel's sides, one number or a pair, to leave out finer features; 0 for none.
+    pixel_size: the pixel's sides, one number or a pair, to leave out finer features; 0 for none.
     period: units after which the terrain repeats, at least 4.
     erosion:
     """
@@ -246,31 +246,46 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel:
     return evaluate("eroded", locals(), members("eroded", erosion, "terrain()"), 4.0)
 
 
-def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: ArrayLike = 0, workers: int | None = None,
-          dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
+_SLOPE = 0.637  # rms, of the hills of `terrain`, for which parameters are chosen
+# As `gabor erode`: the preset alps, adapted to maps.
+_OF_MAPS = {"gully_frequency": 1.5, "strength": 0.15, "onset_slope": 2 * _SLOPE, "detail": 2.5, "uniformity": 2.5, "crease_rounding": 0.4}
+
+
+def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None, tileable: bool = False, seed: ArrayLike = 0,
+          workers: int | None = None, dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
-    axis of 4. Gullies follow the map smoothed to their scale, as with `gabor erode`, which has other defaults and a limit to the
-    changes.
+    axis of 4. Gullies follow the map smoothed to their scale. Parameters and defaults are those of `gabor erode`.
 
     heights: an array of at least 3 x 3 heights.
     extent: the map's width, in the unit of its heights.
+    gully_width: width of the widest gullies, in the unit of extent, in place of gully_frequency.
     tileable: the map tiles without seams, and so does the result.
     erosion: for any map, these parameters mean what they mean for one that is 8 units wide with an rms slope of 0.637, that of the
-        hills of `terrain`. So there are 8 * frequency gullies across the map.
+        hills of `terrain`. So there are 8 * gully_frequency gullies across the map. Without strength, heights change by at most an
+        eighth of their range.
     """
     here = numbers("heights", heights)
     if here.ndim != 2 or min(here.shape) < 3:
         raise refuse("heights", here, "an array of at least 3 x 3 heights")
-    members("terrain", erosion, "erode()")
-    frequency = number("frequency", erosion.get("frequency", MEMBERS["terrain"]["frequency"].default))
     pixel, unit = 8 / here.shape[1], number("extent", extent) / 8
+    if gully_width is not None:
+        if "gully_frequency" in erosion:
+            raise TypeError("erode() takes gully_width or gully_frequency, not both")
+        erosion["gully_frequency"] = unit / number("gully_width", gully_width)
+    chosen = {**_OF_MAPS, **erosion}
+    members("terrain", chosen, "erode()")
+    frequency = number("gully_frequency", chosen["gully_frequency"])
     surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tileable)
-    steepness = 0.637 / (slope / (pixel * unit)) if slope > 0 else 1.0
+    steepness = _SLOPE / (slope / (pixel * unit)) if slope > 0 else 1.0
+    if "strength" not in erosion:
+        octaves, gain, weight = (float(np.max(chosen.get(name, MEMBERS["terrain"][name].default))) for name in ("octaves", "gain", "gully_weight"))
+        most = _OF_MAPS["strength"] / frequency * sum(gain**k for k in range(int(octaves))) * weight * unit / steepness
+        chosen["strength"] = _OF_MAPS["strength"] * min(1.0, np.ptp(here) / 8 / most if most > 0 else 1.0)
     scaled = [each * (steepness / unit / pixel**order) for each, order in zip(surface, (0, 1, 1, 2, 2, 2))]
     x, y = grid(here.shape, 1 / pixel)
     base = np.stack([*scaled[:3], np.zeros_like(here), *scaled[3:]], -1)
     period = (8, pixel * here.shape[0]) if tileable else None
-    terrain_there = terrain(x, y, base, pixel=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **erosion)
+    terrain_there = terrain(x, y, base, pixel_size=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **chosen)
     result = np.empty(terrain_there.shape, float)
     result[..., 0] = here + (terrain_there[..., 0] - scaled[0]) * (unit / steepness)
     for channel, own in zip((1, 2), sobel(here, tileable)):
@@ -281,14 +296,14 @@ def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: Ar
 
 # ---- Materials -----------------------------------------------------------------------------------------------------
 
-def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
+def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
              period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
              **parameters: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return a material, as a dict of arrays: colour (red, green and blue along a last axis of 3; linear, 0 to 1), height, slope
     (d/dx, d/dy along a last axis of 2), roughness, metalness, and lost, the covariance of the slopes that the filter removed (xx,
     yy, xy along a last axis of 3). A picture of four by four units shows a material well.
 
-    pixel: the pixel's sides, one number or a pair, over which to average; 0 for none.
+    pixel_size: the pixel's sides, one number or a pair, over which to average; 0 for none.
     period: as above; a short one compresses the material's large-scale variation.
     parameters: of the material, such as wood. Angles are in radians.
     """
@@ -306,12 +321,12 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 # ---- The sea -------------------------------------------------------------------------------------------------------
 
 def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-          fetch: ArrayLike = 2e5, swell: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = 0.0,
-          loop: ArrayLike = 0, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
+          fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
+          loop_seconds: ArrayLike = 0, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
-    the derivatives of the height by x and y; shift, the horizontal displacement in metres; fold, the determinant of the derivative
-    of (x, y) + shift, with foam where it falls below 0.7; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
+    the derivatives of the height by x and y; shift, the horizontal displacement in metres; jacobian, of (x, y) + shift by (x, y): 1 at
+    rest and lower where the water folds, with foam below 0.7; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
     shift and lost have a last axis.
 
     x, y: metres. Values equal those of the shader `gabor_ocean.glsl`, wherever and whenever they are.
@@ -319,21 +334,21 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
     wind: metres per second, 10 m up.
     direction: where the waves go.
     fetch: metres of open water upwind.
-    swell: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
+    swell_height: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
     swell_period: its seconds from crest to crest, 5 to 25.
     swell_direction: where it goes, as `direction`: from +x towards +y.
-    loop: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and each wave's
+    loop_seconds: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and each wave's
     period becomes an integer fraction of the loop, which should last several periods of the swell.
-    pixel: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
+    pixel_size: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
     """
     values = evaluate("water", locals())
-    return {"height": values[..., 0], "slope": values[..., 1:3], "shift": values[..., 3:5], "fold": values[..., 5],
+    return {"height": values[..., 0], "slope": values[..., 1:3], "shift": values[..., 3:5], "jacobian": values[..., 5],
             "lost": values[..., 6:]}
 
 
 def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-                 fetch: ArrayLike = 2e5, swell: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = 0.0,
-                 loop: ArrayLike = 0, seed: ArrayLike = 0, workers: int | None = None,
+                 fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
+                 loop_seconds: ArrayLike = 0, seed: ArrayLike = 0, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
     return evaluate("water_height", locals())
@@ -363,25 +378,25 @@ def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl
 
 # ---- Signatures and help of the functions whose parameters are members of structs ----------------------------------------------
 
-def _describe(kernel: str) -> str:
+def _describe(kernel: str, defaults: Mapping[str, float] = {}) -> str:
     lines = []
     for member in MEMBERS[kernel].values():
         span = "" if member.kind == "colour" else f", {member.low:.5g} to {member.high:.5g}"
-        lines.append(f"        {member.name}: {member.about[0].lower()}{member.about[1:]}{span} [{member.default}]")
+        lines.append(f"        {member.name}: {member.about[0].lower()}{member.about[1:]}{span} [{defaults.get(member.name, member.default)}]")
     return "\n".join(lines)
 
 
-def _document(function: Callable[..., object]) -> None:
+def _document(function: Callable[..., object], defaults: Mapping[str, float] = {}) -> None:
     """Add the members of GaborErosion to a function's signature and help."""
     signature = inspect.signature(function)
     function.__signature__ = signature.replace(parameters=[  # type: ignore[attr-defined]
         *list(signature.parameters.values())[:-1],
-        *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=member.default, annotation="ArrayLike")
+        *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=defaults.get(name, member.default), annotation="ArrayLike")
           for name, member in MEMBERS["terrain"].items())])
-    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe('terrain')}\n"  # type: ignore[union-attr]
+    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe('terrain', defaults)}\n"  # type: ignore[union-attr]
 
 
 _document(terrain)
-_document(erode)
+_document(erode, _OF_MAPS)
 material.__doc__ = f"{material.__doc__.rstrip()}\n\n" + "".join(  # type: ignore[union-attr]
     f"    {name}:\n{_describe(name.replace('-', '_'))}\n" for name in _MATERIALS)

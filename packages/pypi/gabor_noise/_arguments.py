@@ -18,27 +18,29 @@ if _native.HAS_AVX2:
 # The range of each argument that is a number, or an array of numbers.
 _RANGES: dict[str, tuple[float, float]] = {
     **dict.fromkeys(("x", "y", "z"), (-1e9, 1e9)),
-    **dict.fromkeys(("frequency", "wave_x", "wave_y"), (-1e6, 1e6)),
+    **dict.fromkeys(("frequency", "cycles_per_unit", "wave_x", "wave_y"), (-1e6, 1e6)),
     "orientation": (-math.inf, math.inf),
-    "time": (-math.inf, math.inf),
+    "evolution": (-math.inf, math.inf),
     "direction": (-1e15, 1e15),  # a vector in 3D, or an angle
     "frequency_spread": (0, 1),
     "orientation_spread": (0, 1.570797),  # pi/2, rounded up
     "seconds": (-2e9, 2e9),
     "wind": (2, 30),
     "fetch": (1e3, 1e6),
-    "swell": (0, 30),
+    "swell_height": (0, 30),
     "swell_period": (5, 25),
     "swell_direction": (-1e15, 1e15),
-    "pixel": (0, math.inf),
+    "pixel_size": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
     "extent": (1e-9, 1e9),
+    "gully_width": (1e-9, 1e9),
+    "gully_frequency": (0.001, 10000),
     "radius": (1e-9, 1e9),
     "power": (0, math.inf),
     "bandwidth": (0.01, 4),
     "orientation_bandwidth": (0.01, 2),
-    "speed": (-1e6, 1e6),
+    "drift_per_frame": (-1e6, 1e6),
     "contrast": (0, 1e6),
     "pixels_per_degree": (1e-6, 1e6),
     "base": (-math.inf, math.inf),
@@ -65,7 +67,6 @@ def _members() -> dict[str, dict[str, Member]]:
         kernel = owner.replace("-", "_") or "terrain"
         if kernel not in _native.KERNELS:
             continue
-        name = {"gully_frequency": "frequency"}.get(name, name)
         of = members.setdefault(kernel, {})
         first = sum(3 if each.kind == "colour" else 1 for each in of.values())
         values = _native.KERNELS[kernel][2][first:]
@@ -198,11 +199,11 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
             found = periods(value, length, least_period)
         elif name == "seed":
             found = [seeds(name, value)]
-        elif name == "loop":
+        elif name == "loop_seconds":
             found = [numbers(name, value, -math.inf, math.inf)]
             if not np.isin(found[0], (0, *2.0 ** np.arange(3, 13))).all():
                 raise refuse(name, value, "0 or a power of 2 from 8 to 4096")
-        elif name == "time":
+        elif name == "evolution":
             found = [numbers(name, 0.0 if value is None else value)]
         else:
             found = [numbers(name, value)] if length == 1 else vector(name, value, length)
@@ -234,14 +235,14 @@ def result_type(value: DTypeLike) -> np.dtype[Any]:
 
 def fill_grid(shape: Sequence[int], given: Mapping[str, Any]) -> NDArray[Any] | None:
     """Return a picture of noise if none of its arguments is an array, else None."""
-    names = "frequency", "orientation", "seed", "time"
+    names = "frequency", "orientation", "seed", "evolution"
     if any(np.ndim(given[name]) for name in names):
         return None
     wave = float(given["scale"]), *(float(numbers(name, given[name])) for name in names[:2]), 1.0
-    time = 0.0 if given["time"] is None else float(numbers("time", given["time"]))
+    evolution = 0.0 if given["evolution"] is None else float(numbers("evolution", given["evolution"]))
     period = [float(each) for each in periods(given["period"], 2, 2.0**-10)]
     out = np.empty(tuple(shape), np.float32)
-    _native.fill_grid(out, (0.5, 0.5), [wave], [int(seeds("seed", given["seed"]))], period, time, workers(given["workers"]))
+    _native.fill_grid(out, (0.5, 0.5), [wave], [int(seeds("seed", given["seed"]))], period, evolution, workers(given["workers"]))
     return out.astype(result_type(given["dtype"]), copy=False)
 
 
@@ -251,7 +252,7 @@ def fill_lobes(shape: Sequence[int], first: tuple[float, float], lobes: Sequence
     orientation, a radius in pixels and an amplitude."""
     waves = [(radius, frequency * radius, orientation, amplitude) for frequency, orientation, radius, amplitude in lobes]
     out = np.empty(tuple(shape), np.float32)
-    _native.fill_grid(out, first, waves, [_native.lobe_seed(seed, i) for i in range(len(waves))], (0.0, 0.0), 0.0, cores)
+    _native.fill_grid(out, first, waves, [_native.derived_seed(seed, i) for i in range(len(waves))], (0.0, 0.0), 0.0, cores)
     return out
 
 

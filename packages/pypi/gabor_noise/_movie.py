@@ -1,4 +1,4 @@
-"""Movies of drifting noise with a stated spectrum, speed and contrast, for experiments on vision."""
+"""Movies of drifting noise with a stated spectrum, drift and contrast, for experiments on vision."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Movie(Sequence[NDArray[np.float32]]):
 
 
 def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwidth: float = 1.0, orientation: float = 0.0,
-          orientation_bandwidth: float | None = 0.5, speed: float = 1.0, contrast: float = 1.0, seed: int = 0,
+          orientation_bandwidth: float | None = 0.5, drift_per_frame: float = 1.0, contrast: float = 1.0, seed: int = 0,
           pixels_per_degree: float | None = None, workers: int | None = None) -> Movie:
     """Return a movie of noise that drifts along `orientation`: float32 arrays of this shape, by index or in a loop. At each pixel and
     frame, the values of all seeds are normally distributed with mean 0 and standard deviation `contrast`. Frames are computed when
@@ -61,9 +61,9 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     bandwidth: full width of the power spectrum at half its height, 0.01 to 4 octaves. It is normal over octaves.
     orientation: direction of waves and drift in radians, from +x to the right towards +y down.
     orientation_bandwidth: full width over directions in radians, 0.01 to 2; None for all directions.
-    speed: pixels per frame at which the pattern moves as a whole.
+    drift_per_frame: pixels that the pattern moves as a whole from frame to frame.
     contrast: rms contrast: multiply by the mean luminance and add it.
-    pixels_per_degree: if given, frequency is in cycles per degree of visual angle, and speed in degrees per frame.
+    pixels_per_degree: if given, frequency is in cycles per degree of visual angle, and drift_per_frame in degrees.
     """
     unit = 1.0 if pixels_per_degree is None else number("pixels_per_degree", pixels_per_degree)
     octaves = number("bandwidth", bandwidth)
@@ -86,7 +86,7 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
         angles, parts = _spread(across, lobe)
     lobes = [(float(f), float(towards + angle), float(_LOBE / (lobe * f)), float(share * part))
              for f, share in zip(peak * np.exp(logarithms), shares) for angle, part in zip(angles, parts)]
-    pixels = number("speed", speed) * unit
+    pixels = number("drift_per_frame", drift_per_frame) * unit
     if np.ndim(seed):
         raise refuse("seed", seed, "an integer of 32 bits")
     return Movie(sides(shape, 2), count("frames", frames), lobes, (pixels * math.cos(towards), pixels * math.sin(towards)),

@@ -50,8 +50,8 @@ template <typename Members, Material<Members> material, Filtered<Members> filter
 Kernel kernel(const char* name, const Members& defaults) {
     std::vector<float> values(sizeof defaults / sizeof(float));
     std::memcpy(values.data(), &defaults, sizeof defaults);
-    return {name, "x y period.x period.y pixel.x pixel.y seed ", 11, fill<Members, material, filtered>,
-            values};
+    return {name, "x y period.x period.y pixel_size.x pixel_size.y seed ", 11,
+            fill<Members, material, filtered>, values};
 }
 
 #define GABOR_KERNEL(name, Members)                                                                          \

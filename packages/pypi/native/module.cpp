@@ -141,7 +141,7 @@ using Wave = std::array<double, 4>;
 // position of the first pixel, in pixels.
 void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::cpu>& out,
                std::array<double, 2> first, const std::vector<Wave>& waves,
-               const std::vector<std::uint32_t>& seeds, std::array<float, 2> period, double time,
+               const std::vector<std::uint32_t>& seeds, std::array<float, 2> period, double evolution,
                std::size_t threads) {
     const std::size_t height = out.shape(0), width = out.shape(1), rows = std::min<std::size_t>(64, height);
     float* const values = out.data();
@@ -153,7 +153,7 @@ void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::c
             grid.width = width;
             grid.height = std::min(rows, height - band * rows);
             grid.period = {period[0], period[1]};
-            grid.moment = static_cast<float>(time - std::floor(time));
+            grid.evolution = static_cast<float>(evolution - std::floor(evolution));
             float* const sum = values + band * rows * width;
             std::vector<float> noise(waves.size() > 1 ? grid.height * width : 0);
             for (std::size_t i = 0; i < waves.size(); ++i) {
@@ -213,7 +213,7 @@ GABOR_DEFINE(GABOR_MODULE) {
     module.def("evaluate", &evaluate<double>, nb::arg(), nb::arg(), nb::arg().noconvert(), nb::arg());
     module.def("fill_grid", &fill_grid, nb::arg().noconvert(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
                nb::arg(), nb::arg());
-    module.def("lobe_seed", &gabor_lobe_seed);
+    module.def("derived_seed", &gabor_derived_seed);
     nb::dict described;
     for (const auto& [name, kernel] : kernels())
         described[name.c_str()] = nb::make_tuple(kernel.inputs, kernel.channels, kernel.defaults);

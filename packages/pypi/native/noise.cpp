@@ -13,20 +13,21 @@
 
 namespace {
 
-// A noise has period 1 in time.
-float moment(const Input& time, std::size_t i) {
-    return static_cast<float>(time.exact(i) - std::floor(time.exact(i)));
+// A noise repeats after an evolution of 1.
+float evolution_of(const Input& turns, std::size_t i) {
+    return static_cast<float>(turns.exact(i) - std::floor(turns.exact(i)));
 }
 
-const char* const place_inputs = "x y period.x period.y time seed ";
+const char* const place_inputs = "x y period.x period.y evolution seed ";
 
 GaborPlace place_of(const Block& block, std::size_t i) {
     const std::vector<Input>& in = block.in;
     GaborPlace place = gabor_place_tiled({0.0f, 0.0f}, {in[2][i], in[3][i]});
-    const Split across(in[0].exact(i), place.radius.x), down(in[1].exact(i), place.radius.y);
+    const Split across(in[0].exact(i), place.cells_per_radius.x),
+        down(in[1].exact(i), place.cells_per_radius.y);
     place.cell = {across.cell, down.cell};
     place.local = {across.local, down.local};
-    place.moment = moment(in[4], i);
+    place.evolution = evolution_of(in[4], i);
     return place;
 }
 
@@ -36,16 +37,16 @@ struct Waves {
     std::size_t count;
     Input x, y;
     gabor_vec2 period;
-    float moment;
+    float evolution;
     std::uint32_t seed;
     Input wave_x, wave_y;
 };
 
 template <std::size_t channels>
 void put(float* out, const GaborField& field) {
-    out[0] = channels == 2 ? field.quadrature : field.noise;
+    out[0] = field.noise;
     if (channels == 2)
-        out[Block::size] = field.noise;
+        out[Block::size] = field.quadrature;
     if (channels == 3) {
         out[Block::size] = field.gradient.x;
         out[2 * Block::size] = field.gradient.y;
@@ -53,28 +54,29 @@ void put(float* out, const GaborField& field) {
 }
 
 // Choices that hold for all points are template parameters, so that the loop has no branches. There are 1 to
-// 3 channels: (noise), (quadrature, noise) or (noise and its gradient).
+// 3 channels: (noise), (noise, quadrature) or (noise and its gradient).
 template <std::size_t channels, bool tiled, bool animated, bool one_wave>
 void fill_waves(const Waves& waves, float* out) {
     const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, waves.period);
     int cell_x[Block::size], cell_y[Block::size];
     float local_x[Block::size], local_y[Block::size];
     for (std::size_t i = 0; i < waves.count; ++i) {
-        const Split across(waves.x.exact(i), origin.radius.x), down(waves.y.exact(i), origin.radius.y);
+        const Split across(waves.x.exact(i), origin.cells_per_radius.x),
+            down(waves.y.exact(i), origin.cells_per_radius.y);
         cell_x[i] = across.cell;
         local_x[i] = across.local;
         cell_y[i] = down.cell;
         local_y[i] = down.local;
     }
     const gabor_vec2 first{waves.wave_x[0], waves.wave_y[0]};
-    const float moment = animated ? waves.moment : 0.0f;
-    if (animated && moment == 0.0f)
-        return; // never: it tells compilers that the moment is not 0, so that they vectorize the loop
+    const float evolution = animated ? waves.evolution : 0.0f;
+    if (animated && evolution == 0.0f)
+        return; // never: it tells compilers that the evolution is not 0, so that they vectorize the loop
     for (std::size_t i = 0; i < waves.count; ++i) {
         GaborPlace place = tiled ? origin : gabor_place({0, 0}, {0.0f, 0.0f});
         place.cell = {cell_x[i], cell_y[i]};
         place.local = {local_x[i], local_y[i]};
-        place.moment = moment;
+        place.evolution = evolution;
         const gabor_vec2 wave = one_wave ? first : gabor_vec2(waves.wave_x[i], waves.wave_y[i]);
         put<channels>(out + i, gabor_field(place, wave, waves.seed));
     }
@@ -84,7 +86,7 @@ template <std::size_t channels>
 void fill_waves(const Waves& waves, float* out) {
     const auto choose = [](bool flag, auto next) { flag ? next(std::true_type()) : next(std::false_type()); };
     choose(waves.period.x > 0 || waves.period.y > 0, [&](auto tiled) {
-        choose(waves.moment != 0.0f, [&](auto animated) {
+        choose(waves.evolution != 0.0f, [&](auto animated) {
             choose(waves.wave_x.constant && waves.wave_y.constant, [&](auto one_wave) {
                 fill_waves<channels, decltype(tiled)::value, decltype(animated)::value,
                            decltype(one_wave)::value>(waves, out);
@@ -107,7 +109,7 @@ void fill_waves(const Block& block, const Input& wave_x, const Input& wave_y, fl
                               in[0],
                               in[1],
                               {in[2][0], in[3][0]},
-                              moment(in[4], 0),
+                              evolution_of(in[4], 0),
                               block.seed(5, 0),
                               wave_x,
                               wave_y},
@@ -138,8 +140,8 @@ void fill_stripes(const Block& block) {
     fill_waves<2>(block, block.in[6], block.in[7], values);
     for (std::size_t i = 0; i < block.count; ++i) {
         GaborField field{};
-        field.quadrature = values[i];
-        field.noise = values[Block::size + i];
+        field.noise = values[i];
+        field.quadrature = values[Block::size + i];
         const gabor_vec3 stripes = gabor_stripes_of(field, block.in[8][i]);
         block.put(0, i, stripes.x);
         block.put(1, i, stripes.y);
@@ -165,7 +167,7 @@ void add_lobe(const Block& block, const GaborLobe& lobe, float amplitude, std::u
                    {x, false},
                    {y, false},
                    period,
-                   moment(in[4], 0),
+                   evolution_of(in[4], 0),
                    seed,
                    {&wave_x, true},
                    {&wave_y, true}},
@@ -197,7 +199,7 @@ void fill_lobes(const Block& block) {
     std::fill_n(block.out, block.count, 0.0f);
     for (int k = 0; k < lobes.count; ++k)
         add_lobe(block, lobes.lobe[k], std::sqrt(lobes.lobe[k].power / power),
-                 gabor_lobe_seed(block.seed(5, 0), k));
+                 gabor_derived_seed(block.seed(5, 0), k));
 }
 
 // The lobes of gabor_field_spread.
@@ -215,7 +217,7 @@ void add_spread(const Block& block, float frequency, float orientation, float fr
             const gabor_vec3 direction = gabor_impl_piece(i, directions);
             add_lobe(block, gabor_lobe(magnitude, orientation + orientation_spread * direction.x, 1.0f, 1.0f),
                      std::sqrt(shell.y * direction.y),
-                     gabor_lobe_seed(block.seed(5, 0), int(128.0f * shell.z + direction.z)));
+                     gabor_derived_seed(block.seed(5, 0), int(128.0f * shell.z + direction.z)));
         }
     }
 }
@@ -252,16 +254,16 @@ void fill_filtered(const Block& block) {
 
 // ---- 3D --------------------------------------------------------------------------------------------------
 
-const char* const place_3d_inputs = "x y z period.x period.y period.z time seed frequency";
+const char* const place_3d_inputs = "x y z period.x period.y period.z evolution seed frequency";
 
 GaborPlace3d place_3d_of(const Block& block, std::size_t i) {
     const std::vector<Input>& in = block.in;
     GaborPlace3d place = gabor_place_3d_tiled({0.0f, 0.0f, 0.0f}, {in[3][i], in[4][i], in[5][i]});
-    const Split x(in[0].exact(i), place.radius.x), y(in[1].exact(i), place.radius.y),
-        z(in[2].exact(i), place.radius.z);
+    const Split x(in[0].exact(i), place.cells_per_radius.x), y(in[1].exact(i), place.cells_per_radius.y),
+        z(in[2].exact(i), place.cells_per_radius.z);
     place.cell = {x.cell, y.cell, z.cell};
     place.local = {x.local, y.local, z.local};
-    place.moment = moment(in[6], i);
+    place.evolution = evolution_of(in[6], i);
     return place;
 }
 
@@ -286,12 +288,12 @@ std::vector<Kernel> noise_kernels() {
     const std::string place = place_inputs, wave = place + "frequency orientation",
                       place_3d = place_3d_inputs;
     return {{"noise", wave, 1, fill_noise<1>, {}},
-            {"complex", wave, 2, fill_noise<2>, {}},
+            {"quadrature", wave, 2, fill_noise<2>, {}},
             {"gradient", wave, 3, fill_noise<3>, {}},
             {"isotropic", place + "frequency", 1, fill_isotropic, {}},
             {"spread", wave + " frequency_spread orientation_spread", 1, fill_spread, {}},
             {"lobes", place_inputs, 1, fill_lobes, {}},
-            {"filtered", wave + " pixel.x pixel.y", 2, fill_filtered, {}},
+            {"filtered", wave + " pixel_size.x pixel_size.y", 2, fill_filtered, {}},
             {"stripes", place + "wave_x wave_y sharpness", 3, fill_stripes, {}},
             {"3d", place_3d + " direction.x direction.y direction.z", 1, fill_3d, {}},
             {"3d_isotropic", place_3d, 1, fill_3d_isotropic, {}}};

@@ -8,7 +8,8 @@
 
 namespace {
 
-const char* const inputs = "x y seconds wind direction fetch swell swell_period swell_direction loop seed ";
+const char* const inputs =
+    "x y seconds wind direction fetch swell_height swell_period swell_direction loop_seconds seed ";
 constexpr std::size_t seed_input = 10;
 
 GaborOcean ocean_of(const Block& block, std::size_t i) {
@@ -36,8 +37,8 @@ void fill_water(const Block& block) {
         const GaborWater water =
             water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
                      {block.in[seed_input + 1][i], 0.0f}, {0.0f, block.in[seed_input + 2][i]}, ocean);
-        const float values[]{water.height, water.slope.x, water.slope.y, water.shift.x, water.shift.y,
-                             water.fold,   water.lost.x,  water.lost.y,  water.lost.z};
+        const float values[]{water.height,   water.slope.x, water.slope.y, water.shift.x, water.shift.y,
+                             water.jacobian, water.lost.x,  water.lost.y,  water.lost.z};
         for (std::size_t c = 0; c < 9; ++c)
             block.put(c, i, values[c]);
     }
@@ -60,6 +61,6 @@ void fill_height(const Block& block) {
 } // namespace
 
 std::vector<Kernel> ocean_kernels() {
-    return {{"water", std::string(inputs) + "pixel.x pixel.y ", 9, fill_water, {}},
+    return {{"water", std::string(inputs) + "pixel_size.x pixel_size.y ", 9, fill_water, {}},
             {"water_height", inputs, 1, fill_height, {}}};
 }

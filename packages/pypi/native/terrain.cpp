@@ -8,7 +8,7 @@
 
 namespace {
 
-const char* const ground_inputs = "x y period.x period.y pixel.x pixel.y seed ";
+const char* const ground_inputs = "x y period.x period.y pixel_size.x pixel_size.y seed ";
 
 struct Ground {
     GaborTerrainPlace place;
@@ -32,7 +32,7 @@ GaborErosion erosion_of(const Input* members, std::size_t i) {
     float values[floats];
     for (std::size_t k = 0; k < floats; ++k)
         values[k] = members[k + 1][i];
-    std::memcpy(&erosion.frequency, values, sizeof values);
+    std::memcpy(&erosion.gully_frequency, values, sizeof values);
     return erosion;
 }
 
@@ -75,7 +75,7 @@ void fill_eroded(const Block& block) {
 std::vector<Kernel> terrain_kernels() {
     const GaborErosion erosion = gabor_erosion();
     std::vector<float> defaults(1 + floats, float(erosion.octaves));
-    std::memcpy(&defaults[1], &erosion.frequency, floats * sizeof(float));
+    std::memcpy(&defaults[1], &erosion.gully_frequency, floats * sizeof(float));
     const std::string ground = ground_inputs;
     return {
         {"terrain", ground, 4, fill_terrain, defaults},

@@ -39,7 +39,7 @@ water = tree.nodes.new("ShaderNodeScript")
 water.mode, water.filepath = "EXTERNAL", str(HERE.parents[2] / "build/packages/staged/osl/gabor_ocean.osl")
 cycles.osl.update_script_node(water, lambda kinds, message: print(message))
 water.inputs["Wind"].default_value, water.inputs["Seed"].default_value = WIND, SEED
-water.inputs["Time"].driver_add("default_value").driver.expression = f"frame / {RATE}"
+water.inputs["Seconds"].driver_add("default_value").driver.expression = f"frame / {RATE}"
 # Displacement changes object coordinates, but not those of the texture.
 place = tree.nodes.new("ShaderNodeMapping")
 place.inputs["Location"].default_value, place.inputs["Scale"].default_value = 3 * [-SIDE / 2], 3 * [SIDE]
@@ -53,7 +53,7 @@ tree.links.new(displacement.outputs[0], tree.nodes["Material Output"].inputs["Di
 
 foam = tree.nodes.new("ShaderNodeMapRange")
 foam.inputs["From Min"].default_value, foam.inputs["From Max"].default_value = 0.75, 0.5
-tree.links.new(water.outputs["Fold"], foam.inputs["Value"])
+tree.links.new(water.outputs["Jacobian"], foam.inputs["Value"])
 colour = tree.nodes.new("ShaderNodeMix")
 colour.data_type = "RGBA"
 colour.inputs[6].default_value, colour.inputs[7].default_value = (0.01, 0.06, 0.07, 1), (0.8, 0.8, 0.8, 1)

@@ -30,7 +30,7 @@ vec3 seen(GaborWater w, vec3 ray, vec3 sun) {
     float glitter = 0.0002 * chance * (0.02 + 0.98 * pow(1.0 - max(dot(middle, sun), 0.0), 5.0)) / (pow(middle.y, 4.0) * facing);
     vec3 below = vec3(0.006, 0.035, 0.05) + vec3(0.01, 0.07, 0.06) * clamp(0.4 + 0.35 * w.height, 0.0, 1.5) * (0.4 + 0.6 * sun.y);
     vec3 light = mix(below, sky(normalize(mirror), sun), fresnel) + 40.0 * vec3(1.0, 0.85, 0.6) * glitter;
-    return mix(light, vec3(0.75, 0.8, 0.85), 0.85 * smoothstep(0.75, 0.6, w.fold)); // foam where waves fold
+    return mix(light, vec3(0.75, 0.8, 0.85), 0.85 * smoothstep(0.75, 0.6, w.jacobian)); // foam where waves fold
 }
 
 void mainImage(out vec4 color, vec2 pixel) {

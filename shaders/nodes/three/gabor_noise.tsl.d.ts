@@ -9,21 +9,21 @@ type Value = Node | number;
 
 /** Gabor noise: a float. */
 export function gabor_noise(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** (quadrature, noise): a vec2. */
-export function gabor_noise_complex(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
+/** (noise, quadrature), of which the second has cosines instead of sines: a vec2. */
+export function gabor_noise_quadrature(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** (noise, d/dx, d/dy), derivatives per kernel radius: a vec3. */
 export function gabor_noise_gradient(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise that repeats after `period`, a vec2, from 1/1024 to 10^9 kernel radii along each axis. */
 export function gabor_noise_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** Noise that evolves in place with period 1. */
-export function gabor_noise_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
+/** Noise that evolves in place and repeats when `evolution` grows by 1. */
+export function gabor_noise_animated(p: Node, evolution: Value, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise in 3D; p and direction are vec3, and direction may have any length but 0. */
 export function gabor_noise_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 /** (cosine, sine, intensity) of stripes of even contrast, at right angles to a wave vector, a vec2. 2 is a good sharpness. */
 export function gabor_stripes(p: Node, wave: Node, sharpness: Value, seed: Value): Node;
 
-/** A position with a period and a time in periods. Without a time, the noise stands still. */
-export interface GaborPlace { p: Node; period?: Node; time?: Value; }
+/** A position with a period and an evolution in turns. Without an evolution, the noise stands still. */
+export interface GaborPlace { p: Node; period?: Node; evolution?: Value; }
 export interface GaborField { noise: Node; quadrature: Node; gradient: Node; }
 export interface GaborPlace3d { p: Node; }
 export interface GaborField3d { noise: Node; gradient: Node; }
@@ -41,8 +41,8 @@ export function gabor_field_3d(place: GaborPlace3d, wave: Node, seed: Value): Ga
 /** The stripes of any noise, like gabor_stripes. */
 export function gabor_stripes_of(field: GaborField, sharpness: Value): Node;
 
-/** The seed of noise `index` in a sum of independent noises. */
-export function gabor_lobe_seed(seed: Value, index: Value): Node;
+/** The seed of part `index` of a sum of independent noises. */
+export function gabor_derived_seed(seed: Value, index: Value): Node;
 /** Maps -2 ... 2 to [0, 1] and clamps the rest. */
 export function gabor_unorm(noise: Value): Node;
 

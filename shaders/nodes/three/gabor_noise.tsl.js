@@ -20,7 +20,7 @@ const gabor_impl_mix = (word, salt) => {
     return twice.bitXor(twice.shiftRight(uint(15)));
 };
 
-const gabor_impl_lobe_seed = (seed, index) => {
+const gabor_impl_derived_seed = (seed, index) => {
     return gabor_impl_mix(seed.add(uint(index).mul(uint(0x85ebca6b))), uint(0x9e3779b1));
 };
 
@@ -57,13 +57,13 @@ const gabor_impl_wave = (t) => {
 const RADIUS = 1.5;                  // nodes per kernel radius
 const TURN = 6.2831853;
 
-// The amplitude of a node; with time, a sum of three amplitudes.
-const amplitude_at = (word, time) => {
+// The amplitude of a node; with an evolution, a sum of three amplitudes.
+const amplitude_at = (word, evolution) => {
     const first = gabor_impl_amplitude(word);
-    if (time === undefined) return first;
+    if (evolution === undefined) return first;
     const second = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
     const third = second.bitXor(second.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
-    const turn = gabor_impl_wave(time).toVar();
+    const turn = gabor_impl_wave(evolution).toVar();
     return first.mul(turn.x.mul(0.5).add(0.5)).add(gabor_impl_amplitude(second).mul(turn.x.mul(-0.5).add(0.5)))
         .add(gabor_impl_amplitude(third).mul(turn.y.mul(0.70710678)));
 };
@@ -103,12 +103,12 @@ const along = (nodes, next) => {
 };
 
 // Complex noise and its derivatives along x and y.
-const plane = (p, wave, seed, time, radius = vec2(RADIUS), period) => {
+const plane = (p, wave, seed, evolution, radius = vec2(RADIUS), period) => {
     const place = p.mul(radius).toVar();
     const salt = gabor_impl_salt(seed).toVar();
     const columns = axis(place.x, wave.x, salt, radius.x, period && period.x);
     const rows = axis(place.y, wave.y, salt.bitXor(uint(ROWS)), radius.y, period && period.y);
-    return along(rows, row => along(columns, column => [amplitude_at(column.word.mul(row.word).toVar(), time)]));
+    return along(rows, row => along(columns, column => [amplitude_at(column.word.mul(row.word).toVar(), evolution)]));
 };
 const field_of = ([value, x, y]) => vec4(value.y, value.x, x.y, y.y).mul(SCALE2D);
 const quadrature_of = ([value, x, y]) => vec4(value.x, value.y, x.x, y.x).mul(SCALE2D);
@@ -122,18 +122,18 @@ const function_of = (name, body, ...inputs) => {
     return (...given) => made(...inputs.map((input, index) => types[input.split(" ")[0]](given[index])));
 };
 
-// A function for each kind of place: with a period or without, still or with a time.
+// A function for each kind of place: with a period or without, still or with an evolution.
 const made = {};
-const plane_field = ({ p, period, time }, wave, seed) => {
-    const name = `gabor_field${period ? "_tiled" : ""}${time === undefined ? "" : "_animated"}`;
+const plane_field = ({ p, period, evolution }, wave, seed) => {
+    const name = `gabor_field${period ? "_tiled" : ""}${evolution === undefined ? "" : "_animated"}`;
     made[name] ??= function_of(name, ([p, wave, seed, ...others]) => {
-        const side = period && others[0], moment = time === undefined ? undefined : others.at(-1);
+        const side = period && others[0], turns = evolution === undefined ? undefined : others.at(-1);
         if (!side)
-            return field_of(plane(p, wave, seed, moment));
+            return field_of(plane(p, wave, seed, turns));
         const nodes = max(floor(clamp(side, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
-        return field_of(plane(p, wave, seed, moment, nodes.div(side).toVar(), ivec2(nodes).toVar()));
-    }, "vec2 p", "vec2 wave", "uint seed", ...period ? ["vec2 period"] : [], ...time === undefined ? [] : ["float time"]);
-    return made[name](p, wave, seed, ...period ? [period] : [], ...time === undefined ? [] : [time]);
+        return field_of(plane(p, wave, seed, turns, nodes.div(side).toVar(), ivec2(nodes).toVar()));
+    }, "vec2 p", "vec2 wave", "uint seed", ...period ? ["vec2 period"] : [], ...evolution === undefined ? [] : ["float evolution"]);
+    return made[name](p, wave, seed, ...period ? [period] : [], ...evolution === undefined ? [] : [evolution]);
 };
 const quadrature_field = function_of("gabor_quadrature_field", ([p, wave, seed]) => quadrature_of(plane(p, wave, seed)),
                                      "vec2 p", "vec2 wave", "uint seed");
@@ -171,9 +171,9 @@ export const gabor_field_3d = (place, wave, seed) => {
 
 export const gabor_noise = (p, frequency, orientation, seed) =>
     gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed).noise;
-export const gabor_noise_complex = (p, frequency, orientation, seed) => {
+export const gabor_noise_quadrature = (p, frequency, orientation, seed) => {
     const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
-    return vec2(field.quadrature, field.noise);
+    return vec2(field.noise, field.quadrature);
 };
 export const gabor_noise_gradient = (p, frequency, orientation, seed) => {
     const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
@@ -181,12 +181,12 @@ export const gabor_noise_gradient = (p, frequency, orientation, seed) => {
 };
 export const gabor_noise_tiled = (p, period, frequency, orientation, seed) =>
     gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
-export const gabor_noise_animated = (p, time, frequency, orientation, seed) =>
-    gabor_field({ p, time }, gabor_wave_vector(frequency, orientation), seed).noise;
+export const gabor_noise_animated = (p, evolution, frequency, orientation, seed) =>
+    gabor_field({ p, evolution }, gabor_wave_vector(frequency, orientation), seed).noise;
 export const gabor_noise_3d = (p, frequency, direction, seed) =>
     gabor_field_3d(gabor_place_3d_at(p), normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed).noise;
 
-export const gabor_lobe_seed = (seed, index) => gabor_impl_lobe_seed(uint(seed), int(index));
+export const gabor_derived_seed = (seed, index) => gabor_impl_derived_seed(uint(seed), int(index));
 
 export const gabor_stripes_of = (field, sharpness) => {
     const value = vec2(field.quadrature, field.noise).toVar();
@@ -211,7 +211,7 @@ export const gabor_brushed_metal = (p, seed) => {
     let height = float(0), tone = float(0), slope = vec2(0);
     for (let part = 0; part < 5; ++part) {
         const fine = 2 ** part, density = vec2(0.3 + 0.12 * fine, 9 * fine);
-        const field = quadrature_field(vec2(p).mul(density), vec2(0), gabor_lobe_seed(seed, part)).toVar();
+        const field = quadrature_field(vec2(p).mul(density), vec2(0), gabor_derived_seed(seed, part)).toVar();
         height = height.add(field.x.mul(0.0012 / fine));
         slope = slope.add(field.zw.mul(density).mul(0.0012 / fine));
         tone = tone.add(field.y.mul(0.4472136));

@@ -14,9 +14,9 @@
 
 void GaborNoise_float(float2 Place, float Frequency, float Orientation, float Seed, out float Noise, out float Quadrature)
 {
-    float2 value = gabor_noise_complex(Place, Frequency, Orientation, (uint)(int)Seed);
-    Noise = value.y;
-    Quadrature = value.x;
+    float2 value = gabor_noise_quadrature(Place, Frequency, Orientation, (uint)(int)Seed);
+    Noise = value.x;
+    Quadrature = value.y;
 }
 
 void GaborStripes_float(float2 Place, float2 Wave, float Sharpness, float Seed, out float Noise, out float2 Gradient, out float3 Stripes)
@@ -30,9 +30,9 @@ void GaborStripes_float(float2 Place, float2 Wave, float Sharpness, float Seed, 
 // For graphs with half precision; the noise itself is computed in full precision.
 void GaborNoise_half(half2 Place, half Frequency, half Orientation, half Seed, out half Noise, out half Quadrature)
 {
-    float2 value = gabor_noise_complex((float2)Place, (float)Frequency, (float)Orientation, (uint)(int)Seed);
-    Noise = (half)value.y;
-    Quadrature = (half)value.x;
+    float2 value = gabor_noise_quadrature((float2)Place, (float)Frequency, (float)Orientation, (uint)(int)Seed);
+    Noise = (half)value.x;
+    Quadrature = (half)value.y;
 }
 
 void GaborStripes_half(half2 Place, half2 Wave, half Sharpness, half Seed, out half Noise, out half2 Gradient, out half3 Stripes)

@@ -17,7 +17,7 @@ function uniforms_of(address) {
         early: floats.slice(at + 5, at + 8), late: floats.slice(at + 8, at + 11), spread: floats.slice(at + 11, at + 14),
         widen: floats.slice(at + 14, at + 16), drift: ints.slice(at + 16, at + 18),
     });
-    return { wind: floats[0], direction: floats[1], fetch: floats[2], swell: floats.slice(3, 6), loop: ints[6], tail: floats.slice(7, 9),
+    return { wind: floats[0], direction: floats[1], fetch: floats[2], swell: floats.slice(3, 6), loop_seconds: ints[6], tail: floats.slice(7, 9),
              band: Array.from({ length: 10 }, (_, i) => band(9 + 18 * i)) };
 }
 
@@ -48,7 +48,7 @@ const water = new THREE.ShaderMaterial({
         vec3 sky(vec3 ray) { return mix(vec3(0.62, 0.72, 0.82), vec3(0.18, 0.36, 0.62), sqrt(max(ray.y, 0.0))); }
         void main() {
             GaborWater w = gabor_water_filtered(p, dFdx(p), dFdy(p), seconds, ocean, ${seed}u);
-            vec2 slope = w.slope / clamp(w.fold, 0.4, 2.0); // where p + shift is
+            vec2 slope = w.slope / clamp(w.jacobian, 0.4, 2.0); // where p + shift is
             vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y)), ray = normalize(eye);
             vec3 sun = vec3(${sun.toArray().join(", ")}), h = normalize(sun + ray);
             float rough = w.lost.x + w.lost.y + 0.0004, facing = max(dot(normal, ray), 0.0);
@@ -57,7 +57,7 @@ const water = new THREE.ShaderMaterial({
             float glitter = exp(-dot(tilt, tilt) / rough) / (rough * max(facing, 0.1));
             vec3 light = vec3(0.01, 0.06, 0.07) * (0.6 + 0.4 * dot(normal, sun)) * exp(0.4 * w.height);
             light = mix(light, sky(reflect(-ray, normal)), mirrored) + 0.02 * glitter * vec3(1.0, 0.85, 0.6);
-            light = mix(light, vec3(0.8), 0.7 * smoothstep(0.75, 0.6, w.fold)); // foam
+            light = mix(light, vec3(0.8), 0.7 * smoothstep(0.75, 0.6, w.jacobian)); // foam
             float t = length(eye);
             colour = vec4(mix(sky(vec3(0.0)), light, exp(-1.0e-4 * t * t)), 1.0);
             colour.rgb = pow(colour.rgb, vec3(1.0 / 2.2));

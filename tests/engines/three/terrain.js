@@ -23,7 +23,7 @@ material.onBeforeCompile = shader => {
         .replace("#include <common>", shared)
         .replace("#include <color_fragment>", `
             GaborTerrain here = ground(dFdx(at), dFdy(at));
-            vec4 cover = gabor_ground(here);
+            vec4 cover = gabor_ground_cover(here);
             diffuseColor.rgb = cover.x * vec3(0.11, 0.14, 0.05) + cover.y * vec3(0.3, 0.25, 0.16) + cover.z * vec3(0.28, 0.25, 0.22)
                 + cover.w * vec3(0.9);`)
         .replace("#include <normal_fragment_maps>", `

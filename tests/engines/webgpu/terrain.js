@@ -30,7 +30,7 @@ fn ground(p: vec2f, dx: vec2f, dy: vec2f) -> GaborTerrain { // without what is t
 @fragment fn shade(corner: Corner) -> @location(0) vec4f {
     let here = ground(corner.at, dpdx(corner.at), dpdy(corner.at));
     let normal = normalize(vec3f(-here.slope.x, 1.0, -here.slope.y));
-    let cover = gabor_ground(here);
+    let cover = gabor_ground_cover(here);
     let colour = cover.x * vec3f(0.11, 0.14, 0.05) + cover.y * vec3f(0.3, 0.25, 0.16) + cover.z * vec3f(0.28, 0.25, 0.22)
                + cover.w * vec3f(0.9);
     let sun = max(dot(normal, normalize(vec3f(-2.0, 1.2, 1.0))), 0.0);

@@ -36,7 +36,7 @@ const sun = vec3f(-0.53, 0.21, -0.82);
 fn sky(ray: vec3f) -> vec3f {{ return mix(vec3f(0.62, 0.72, 0.82), vec3f(0.18, 0.36, 0.62), sqrt(max(ray.y, 0.0))); }}
 @fragment fn surface(v: Vertex) -> @location(0) vec4f {{
     let w = gabor_water_filtered(v.rest, dpdx(v.rest), dpdy(v.rest), frame.seconds, ocean, {SEED}u);
-    let slope = w.slope / clamp(w.fold, 0.4, 2.0);  // where the water is now
+    let slope = w.slope / clamp(w.jacobian, 0.4, 2.0);  // where the water is now
     let normal = normalize(vec3f(-slope.x, 1.0, -slope.y));
     let ray = normalize(frame.eye - v.at);
     let rough = w.lost.x + w.lost.y + 0.0004;
@@ -46,7 +46,7 @@ fn sky(ray: vec3f) -> vec3f {{ return mix(vec3f(0.62, 0.72, 0.82), vec3f(0.18, 0
     let mirrored = 0.02 + 0.98 * pow(1.0 - facing, 5.0) / (1.0 + 22.0 * rough);
     let light = mix(vec3f(0.01, 0.05, 0.055), sky(reflect(-ray, normal)), mirrored)
               + 0.02 * exp(-dot(tilt, tilt) / rough) / (rough * max(facing, 0.1)) * vec3f(1.0, 0.85, 0.6);
-    return vec4f(mix(light, vec3f(0.8), 0.7 * smoothstep(0.75, 0.6, w.fold)), 1.0);
+    return vec4f(mix(light, vec3f(0.8), 0.7 * smoothstep(0.75, 0.6, w.jacobian)), 1.0);
 }}
 
 @vertex fn box(@builtin(vertex_index) i: u32) -> Vertex {{  // two triangles for each of six sides

@@ -18,7 +18,7 @@ float value(vec2 p, uint instance) {
         vec3 bump = gabor_noise_gradient(p, frequency, orientation, instance);
         return bump.x + bump.y + bump.z;
     case 2:
-        vec2 phasor = gabor_phasor(gabor_noise_complex(p, frequency, orientation, instance));
+        vec2 phasor = gabor_turns_intensity(gabor_noise_quadrature(p, frequency, orientation, instance));
         return phasor.x + phasor.y;
     case 3:
         return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);

@@ -44,13 +44,13 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
     float gully = base.ridge;
     vec2 gully_slope = vec2(0.0);
     vec2 steer = base.slope;
-    float frequency = erosion.frequency;
-    float depth = erosion.strength / erosion.frequency;
+    float frequency = erosion.gully_frequency;
+    float depth = erosion.strength / erosion.gully_frequency;
     float mask = 1.0;
     float rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * base.ridge);
     for (int i = 0; i < erosion.octaves; ++i) {
         float steep = max(length(steer), 1.0e-9);
-        float full = gabor_splat_mask(steep / erosion.onset, rounding);
+        float full = gabor_splat_mask(steep / erosion.onset_slope, rounding);
         mask *= full * full;
         vec2 across = vec2(-steer.y, steer.x) / steep;
         float cells = frequency / 0.9; // a window has as many waves as in gabor_eroded
@@ -64,7 +64,7 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
         steer -= side * erosion.branching * erosion.gully_weight * frequency * depth * mask * across;
         rounding = mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * z.x);
         mask = mask * erosion.detail / (1.0 + mask * (erosion.detail - 1.0))
-             * gabor_splat_mask(abs(z.y), rounding * frequency / erosion.frequency);
+             * gabor_splat_mask(abs(z.y), rounding * frequency / erosion.gully_frequency);
         frequency *= erosion.lacunarity;
         depth *= erosion.gain;
     }

@@ -23,5 +23,5 @@ float value(vec2 p, uint instance) {
     default:
         water = gabor_water(at, 60.5, ocean, instance);
     }
-    return water.height + dot(water.slope + water.shift, vec2(1.0)) + water.fold + dot(water.lost, vec3(1.0));
+    return water.height + dot(water.slope + water.shift, vec2(1.0)) + water.jacobian + dot(water.lost, vec3(1.0));
 }

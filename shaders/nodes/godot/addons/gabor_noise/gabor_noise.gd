@@ -47,4 +47,4 @@ func _get_global_code(_mode: Shader.Mode) -> String:
 func _get_code(inputs: Array[String], outputs: Array[String], mode: Shader.Mode, _type: VisualShader.Type) -> String:
 	if inputs[0].is_empty(): # the place is not connected; skies, fog and particles have no UV
 		inputs[0] = "UV * 8.0" if mode in [Shader.MODE_CANVAS_ITEM, Shader.MODE_SPATIAL] else "vec2(0.0)"
-	return "vec2 gabor = gabor_noise_complex(%s, %s, %s, uint(%s));\n%s = gabor.y;\n%s = gabor.x;" % (inputs + outputs)
+	return "vec2 gabor = gabor_noise_quadrature(%s, %s, %s, uint(%s));\n%s = gabor.x;\n%s = gabor.y;" % (inputs + outputs)

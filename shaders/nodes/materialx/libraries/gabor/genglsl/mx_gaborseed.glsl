@@ -2,5 +2,5 @@
 
 void mx_gaborseed(int seed, int index, out int result)
 {
-    result = int(mx_gabor_lobe_seed(uint(seed), index));
+    result = int(mx_gabor_derived_seed(uint(seed), index));
 }

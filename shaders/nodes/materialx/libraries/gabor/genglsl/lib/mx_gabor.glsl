@@ -18,7 +18,7 @@ uint mx_gabor_mix(uint word, uint salt)
     return twice ^ (twice >> 15u);
 }
 
-uint mx_gabor_lobe_seed(uint seed, int index)
+uint mx_gabor_derived_seed(uint seed, int index)
 {
     return mx_gabor_mix(seed + uint(index) * 0x85ebca6bu, 0x9e3779b1u);
 }
