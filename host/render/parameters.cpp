@@ -366,10 +366,11 @@ Place seconds_of_loop() {
                 const auto* sea = std::get_if<Sea>(&request.view);
                 if (!sea)
                     return std::nullopt;
-                return std::string(sea->loop_seconds == 0
-                                       ? loops[0]
-                                       : loops[static_cast<std::size_t>(
-                                             std::countr_zero(static_cast<unsigned>(sea->loop_seconds)) - 2)]);
+                return std::string(
+                    sea->loop_seconds == 0
+                        ? loops[0]
+                        : loops[static_cast<std::size_t>(
+                              std::countr_zero(static_cast<unsigned>(sea->loop_seconds)) - 2)]);
             },
             [](Request& request, const Value& value) {
                 const auto index = std::ranges::find(loops, std::get<std::string>(value)) - loops.begin();
@@ -389,12 +390,14 @@ std::vector<Parameter> sea_rows() {
             row("swell_period", Kind::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
                 "Time from crest to crest of the swell", in_view(&Sea::swell_period)),
             row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
-                "Where the swell goes: 0 with the wind, along +x, 90 along +y", in_view(&Sea::swell_direction)),
+                "Where the swell goes: 0 with the wind, along +x, 90 along +y",
+                in_view(&Sea::swell_direction)),
             row("loop_seconds", Kind::choice, "seconds", none, none, scopes::sea,
                 "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
-            row("seconds", Kind::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time", in_view(&Sea::seconds)),
+            row("seconds", Kind::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time",
+                in_view(&Sea::seconds)),
             row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
                 "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
 }

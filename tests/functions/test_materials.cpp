@@ -419,7 +419,8 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
             const double step = (rows ? wide(first.x) - wide(last.x) : wide(first.y) - wide(last.y)) / size;
             CHECK(std::abs(std::abs(step - std::round(step)) - std::min(shift, 1 - shift)) < 0.13);
         }
-        const double gaps = 1 - (1 - wide(boards.joint_width) / wide(width)) * (1 - wide(boards.joint_width) / wide(length));
+        const double gaps =
+            1 - (1 - wide(boards.joint_width) / wide(width)) * (1 - wide(boards.joint_width) / wide(length));
         fmt::print("  boards of {} x {}: {} of 4000 turned, joints {:.4f} of {:.4f}\n", width, length, turned,
                    joints / 4000.0, gaps);
         CHECK(std::abs(turned - 2000) < 150);
@@ -449,7 +450,8 @@ TEST_CASE("scratches have the asked direction, in a tile one of 24", "[materials
     Random random(9);
     for (const Vec2 period : {Vec2(0), Vec2(8, 8), Vec2(12, 4), Vec2(4, 12)}) {
         double largest = 0;
-        for (scratches.scratch_direction = -6.2f; scratches.scratch_direction < 6.3f; scratches.scratch_direction += 0.3f) {
+        for (scratches.scratch_direction = -6.2f; scratches.scratch_direction < 6.3f;
+             scratches.scratch_direction += 0.3f) {
             double x = 0, y = 0; // cosine and sine of twice the slopes' direction
             for (int i = 0; i < 300; ++i) {
                 const Vec2 p = random.uniform<Vec2>(0, 12);
