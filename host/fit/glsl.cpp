@@ -126,17 +126,24 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
 #ifndef GABOR_NOISE_GLSL
 #error Include gabor_noise.glsl before {name}.glsl
 #elif !defined(GABOR_TEXTURE_{name}_GLSL)
-#define GABOR_TEXTURE_{name}_GLSL
+#define GABOR_TEXTURE_{name}_GLSL 1
 const uint {name}_seed = 0u; // another seed gives another piece of the same texture
+#ifdef GABOR_FILTER_GLSL
+GaborField {name}_field(GaborPlace place, vec2 dx, vec2 dy, vec2 wave, bool filtered, uint seed) {{
+    GaborField field;
+    if (filtered) field = gabor_field_filtered(place, dx, dy, wave, seed);
+    else field = gabor_field(place, wave, seed);
+    return field;
+}}
+#else
+GaborField {name}_field(GaborPlace place, vec2 dx, vec2 dy, vec2 wave, bool filtered, uint seed) {{
+    return gabor_field(place, wave, seed);
+}}
+#endif
 // Adds lobe i. k: its radii along x and y in pixels and its waves per radius; {weights}.
 void {name}_lobe(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered, int i, vec4 k, {parameters}) {{
-    GaborPlace place = gabor_place_at(p / k.xy);
-    GaborField n;
-#ifdef GABOR_FILTER_GLSL
-    if (filtered) n = gabor_field_filtered(place, d.xy / k.xy, d.zw / k.xy, k.zw, gabor_derived_seed({name}_seed, i));
-    else
-#endif
-    n = gabor_field(place, k.zw, gabor_derived_seed({name}_seed, i));
+    uint seed = gabor_derived_seed({name}_seed, i);
+    GaborField n = {name}_field(gabor_place_at(p / k.xy), d.xy / k.xy, d.zw / k.xy, k.zw, filtered, seed);
     z += {sum};
     removed += n.removed * {squares};
 }}
