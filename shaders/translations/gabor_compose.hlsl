@@ -53,17 +53,9 @@ struct GaborBoards {
     float depth;  // depth of the joints below height 0, in units, 0 to 0.2
 };
 
-GaborBoards GaborBoards_of(float3 joint, float width, float reach, float shift, float turns, float shades, float gap, float depth)
-{
-    GaborBoards made;
-    made.joint = joint;
-    made.width = width;
-    made.reach = reach;
-    made.shift = shift;
-    made.turns = turns;
-    made.shades = shades;
-    made.gap = gap;
-    made.depth = depth;
+GaborBoards GaborBoards_of(float3 joint, float width, float reach, float shift, float turns, float shades, float gap,
+        float depth) {
+    GaborBoards made = {joint, width, reach, shift, turns, shades, gap, depth};
     return made;
 }
 
@@ -78,16 +70,8 @@ struct GaborBoard {
     float3 joint; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
-GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint)
-{
-    GaborBoard made;
-    made.position = position;
-    made.dx = dx;
-    made.dy = dy;
-    made.seed = seed;
-    made.turn = turn;
-    made.tone = tone;
-    made.joint = joint;
+GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 turn, float tone, float3 joint) {
+    GaborBoard made = {position, dx, dy, seed, turn, tone, joint};
     return made;
 }
 

@@ -46,14 +46,8 @@ struct GaborMaterial {
 };
 
 GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float roughness, float metalness, float3 lost)
-{
-    GaborMaterial made;
-    made.colour = colour;
-    made.height = height;
-    made.slope = slope;
-    made.roughness = roughness;
-    made.metalness = metalness;
-    made.lost = lost;
+        {
+    GaborMaterial made = {colour, height, slope, roughness, metalness, lost};
     return made;
 }
 
@@ -89,15 +83,8 @@ struct GaborWood {
     float roughness; // roughness of the early wood, 0 to 1
 };
 
-GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, float pores, float roughness)
-{
-    GaborWood made;
-    made.early = early;
-    made.late = late;
-    made.rings = rings;
-    made.waviness = waviness;
-    made.pores = pores;
-    made.roughness = roughness;
+GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, float pores, float roughness) {
+    GaborWood made = {early, late, rings, waviness, pores, roughness};
     return made;
 }
 
@@ -114,17 +101,9 @@ struct GaborFabric {
     float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
-GaborFabric GaborFabric_of(float3 warp, float3 weft, float threads, float unevenness, float relief, float roughness, float cords, float weave)
-{
-    GaborFabric made;
-    made.warp = warp;
-    made.weft = weft;
-    made.threads = threads;
-    made.unevenness = unevenness;
-    made.relief = relief;
-    made.roughness = roughness;
-    made.cords = cords;
-    made.weave = weave;
+GaborFabric GaborFabric_of(float3 warp, float3 weft, float threads, float unevenness, float relief, float roughness,
+        float cords, float weave) {
+    GaborFabric made = {warp, weft, threads, unevenness, relief, roughness, cords, weave};
     return made;
 }
 
@@ -138,15 +117,8 @@ struct GaborLeather {
     float roughness; // roughness of the cells, 0 to 0.7
 };
 
-GaborLeather GaborLeather_of(float3 pebble, float3 crease, float cells, float wrinkles, float relief, float roughness)
-{
-    GaborLeather made;
-    made.pebble = pebble;
-    made.crease = crease;
-    made.cells = cells;
-    made.wrinkles = wrinkles;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborLeather GaborLeather_of(float3 pebble, float3 crease, float cells, float wrinkles, float relief, float roughness) {
+    GaborLeather made = {pebble, crease, cells, wrinkles, relief, roughness};
     return made;
 }
 
@@ -160,15 +132,8 @@ struct GaborMarble {
     float roughness;  // 0 to 1
 };
 
-GaborMarble GaborMarble_of(float3 stone, float3 vein, float veins, float turbulence, float clouds, float roughness)
-{
-    GaborMarble made;
-    made.stone = stone;
-    made.vein = vein;
-    made.veins = veins;
-    made.turbulence = turbulence;
-    made.clouds = clouds;
-    made.roughness = roughness;
+GaborMarble GaborMarble_of(float3 stone, float3 vein, float veins, float turbulence, float clouds, float roughness) {
+    GaborMarble made = {stone, vein, veins, turbulence, clouds, roughness};
     return made;
 }
 
@@ -182,15 +147,8 @@ struct GaborSand {
     float roughness; // 0 to 1
 };
 
-GaborSand GaborSand_of(float3 trough, float3 crest, float ripples, float relief, float grain, float roughness)
-{
-    GaborSand made;
-    made.trough = trough;
-    made.crest = crest;
-    made.ripples = ripples;
-    made.relief = relief;
-    made.grain = grain;
-    made.roughness = roughness;
+GaborSand GaborSand_of(float3 trough, float3 crest, float ripples, float relief, float grain, float roughness) {
+    GaborSand made = {trough, crest, ripples, relief, grain, roughness};
     return made;
 }
 
@@ -205,16 +163,9 @@ struct GaborBrushedMetal {
     float weathering; // amount of patina, 0 to 1
 };
 
-GaborBrushedMetal GaborBrushedMetal_of(float3 colour, float3 patina, float streaks, float contrast, float relief, float roughness, float weathering)
-{
-    GaborBrushedMetal made;
-    made.colour = colour;
-    made.patina = patina;
-    made.streaks = streaks;
-    made.contrast = contrast;
-    made.relief = relief;
-    made.roughness = roughness;
-    made.weathering = weathering;
+GaborBrushedMetal GaborBrushedMetal_of(float3 colour, float3 patina, float streaks, float contrast, float relief,
+        float roughness, float weathering) {
+    GaborBrushedMetal made = {colour, patina, streaks, contrast, relief, roughness, weathering};
     return made;
 }
 
@@ -230,17 +181,9 @@ struct GaborScratches {
     float roughness; // 0 to 1
 };
 
-GaborScratches GaborScratches_of(float3 lacquer, float3 scratch, float amount, float reach, float direction, float spread, float depth, float roughness)
-{
-    GaborScratches made;
-    made.lacquer = lacquer;
-    made.scratch = scratch;
-    made.amount = amount;
-    made.reach = reach;
-    made.direction = direction;
-    made.spread = spread;
-    made.depth = depth;
-    made.roughness = roughness;
+GaborScratches GaborScratches_of(float3 lacquer, float3 scratch, float amount, float reach, float direction,
+        float spread, float depth, float roughness) {
+    GaborScratches made = {lacquer, scratch, amount, reach, direction, spread, depth, roughness};
     return made;
 }
 
@@ -255,16 +198,9 @@ struct GaborZebra {
     float roughness; // 0 to 1
 };
 
-GaborZebra GaborZebra_of(float3 bright, float3 stripe, float stripes, float direction, float bends, float hair, float roughness)
-{
-    GaborZebra made;
-    made.bright = bright;
-    made.stripe = stripe;
-    made.stripes = stripes;
-    made.direction = direction;
-    made.bends = bends;
-    made.hair = hair;
-    made.roughness = roughness;
+GaborZebra GaborZebra_of(float3 bright, float3 stripe, float stripes, float direction, float bends, float hair,
+        float roughness) {
+    GaborZebra made = {bright, stripe, stripes, direction, bends, hair, roughness};
     return made;
 }
 
@@ -279,16 +215,9 @@ struct GaborBark {
     float roughness; // 0 to 1
 };
 
-GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, float cover, float depth, float roughness)
-{
-    GaborBark made;
-    made.plate = plate;
-    made.furrow = furrow;
-    made.moss = moss;
-    made.furrows = furrows;
-    made.cover = cover;
-    made.depth = depth;
-    made.roughness = roughness;
+GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, float cover, float depth,
+        float roughness) {
+    GaborBark made = {plate, furrow, moss, furrows, cover, depth, roughness};
     return made;
 }
 
@@ -301,14 +230,8 @@ struct GaborCarbonFibre {
     float roughness; // 0 to 1
 };
 
-GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float contrast, float relief, float roughness)
-{
-    GaborCarbonFibre made;
-    made.colour = colour;
-    made.tows = tows;
-    made.contrast = contrast;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float contrast, float relief, float roughness) {
+    GaborCarbonFibre made = {colour, tows, contrast, relief, roughness};
     return made;
 }
 
@@ -324,17 +247,9 @@ struct GaborStrata {
     float roughness; // 0 to 1
 };
 
-GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pale, float layers, float folds, float relief, float roughness)
-{
-    GaborStrata made;
-    made.rock = rock;
-    made.sandstone = sandstone;
-    made.red = red;
-    made.pale = pale;
-    made.layers = layers;
-    made.folds = folds;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pale, float layers, float folds,
+        float relief, float roughness) {
+    GaborStrata made = {rock, sandstone, red, pale, layers, folds, relief, roughness};
     return made;
 }
 
@@ -385,15 +300,8 @@ struct GaborImplPixel {
     float2 period;
 };
 
-GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, float2 dx, float2 dy, float2 period)
-{
-    GaborImplPixel made;
-    made.position = position;
-    made.by_x = by_x;
-    made.by_y = by_y;
-    made.dx = dx;
-    made.dy = dy;
-    made.period = period;
+GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, float2 dx, float2 dy, float2 period) {
+    GaborImplPixel made = {position, by_x, by_y, dx, dy, period};
     return made;
 }
 
@@ -528,15 +436,8 @@ struct GaborImplLayer {
     uint seed;
 };
 
-GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed)
-{
-    GaborImplLayer made;
-    made.slot = slot;
-    made.at = at;
-    made.density = density;
-    made.wave = wave;
-    made.amplitude = amplitude;
-    made.seed = seed;
+GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed) {
+    GaborImplLayer made = {slot, at, density, wave, amplitude, seed};
     return made;
 }
 
@@ -568,13 +469,8 @@ struct GaborImplPair {
     float3 lost;
 };
 
-GaborImplPair GaborImplPair_of(float3 first, float3 second, float removed, float3 lost)
-{
-    GaborImplPair made;
-    made.first = first;
-    made.second = second;
-    made.removed = removed;
-    made.lost = lost;
+GaborImplPair GaborImplPair_of(float3 first, float3 second, float removed, float3 lost) {
+    GaborImplPair made = {first, second, removed, lost};
     return made;
 }
 
@@ -587,14 +483,9 @@ struct GaborImplPairs {
     GaborImplPair pair_4;
 };
 
-GaborImplPairs GaborImplPairs_of(GaborImplPair pair_0, GaborImplPair pair_1, GaborImplPair pair_2, GaborImplPair pair_3, GaborImplPair pair_4)
-{
-    GaborImplPairs made;
-    made.pair_0 = pair_0;
-    made.pair_1 = pair_1;
-    made.pair_2 = pair_2;
-    made.pair_3 = pair_3;
-    made.pair_4 = pair_4;
+GaborImplPairs GaborImplPairs_of(GaborImplPair pair_0, GaborImplPair pair_1, GaborImplPair pair_2, GaborImplPair pair_3,
+        GaborImplPair pair_4) {
+    GaborImplPairs made = {pair_0, pair_1, pair_2, pair_3, pair_4};
     return made;
 }
 
@@ -654,13 +545,8 @@ struct GaborImplSpotsAxis {
     float4 last;
 };
 
-GaborImplSpotsAxis GaborImplSpotsAxis_of(uint3 word, float4 first, float4 middle, float4 last)
-{
-    GaborImplSpotsAxis made;
-    made.word = word;
-    made.first = first;
-    made.middle = middle;
-    made.last = last;
+GaborImplSpotsAxis GaborImplSpotsAxis_of(uint3 word, float4 first, float4 middle, float4 last) {
+    GaborImplSpotsAxis made = {word, first, middle, last};
     return made;
 }
 
@@ -696,12 +582,8 @@ struct GaborImplSpotsLine {
     float2 fade;
 };
 
-GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade)
-{
-    GaborImplSpotsLine made;
-    made.word = word;
-    made.window = window;
-    made.fade = fade;
+GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade) {
+    GaborImplSpotsLine made = {word, window, fade};
     return made;
 }
 
@@ -721,12 +603,8 @@ struct GaborImplSpotsRow {
     float2 edge;
 };
 
-GaborImplSpotsRow GaborImplSpotsRow_of(float3 real, float3 imaginary, float2 edge)
-{
-    GaborImplSpotsRow made;
-    made.real = real;
-    made.imaginary = imaginary;
-    made.edge = edge;
+GaborImplSpotsRow GaborImplSpotsRow_of(float3 real, float3 imaginary, float2 edge) {
+    GaborImplSpotsRow made = {real, imaginary, edge};
     return made;
 }
 

@@ -98,14 +98,8 @@ struct GaborPlace {
     float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment)
-{
-    GaborPlace made;
-    made.cell = cell;
-    made.local = local;
-    made.radius = radius;
-    made.period = period;
-    made.moment = moment;
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment) {
+    GaborPlace made = {cell, local, radius, period, moment};
     return made;
 }
 
@@ -134,14 +128,8 @@ struct GaborField {
     float removed; // share of the variance that a filter removed, 0 without one: see gabor_filter.hlsl
 };
 
-GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient, float removed)
-{
-    GaborField made;
-    made.noise = noise;
-    made.gradient = gradient;
-    made.quadrature = quadrature;
-    made.quadrature_gradient = quadrature_gradient;
-    made.removed = removed;
+GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient, float removed) {
+    GaborField made = {noise, gradient, quadrature, quadrature_gradient, removed};
     return made;
 }
 

@@ -104,12 +104,8 @@ struct GaborKernel {
     float variance_factor; // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 };
 
-GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor)
-{
-    GaborKernel made;
-    made.wave = wave;
-    made.amplitude = amplitude;
-    made.variance_factor = variance_factor;
+GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor) {
+    GaborKernel made = {wave, amplitude, variance_factor};
     return made;
 }
 
@@ -122,14 +118,8 @@ struct GaborPlace {
     float moment; // time in periods: only its fraction counts
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment)
-{
-    GaborPlace made;
-    made.cell = cell;
-    made.local = local;
-    made.radius = radius;
-    made.period = period;
-    made.moment = moment;
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment) {
+    GaborPlace made = {cell, local, radius, period, moment};
     return made;
 }
 
@@ -140,12 +130,8 @@ struct GaborField {
     float2 slope_y;
 };
 
-GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
-{
-    GaborField made;
-    made.value = value;
-    made.slope_x = slope_x;
-    made.slope_y = slope_y;
+GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y) {
+    GaborField made = {value, slope_x, slope_y};
     return made;
 }
 
@@ -223,13 +209,8 @@ struct GaborImplImpulse {
     float magnitude;  // magnitude of the weight
 };
 
-GaborImplImpulse GaborImplImpulse_of(float2 position_plus_one, float phase, float phase_rate, float magnitude)
-{
-    GaborImplImpulse made;
-    made.position_plus_one = position_plus_one;
-    made.phase = phase;
-    made.phase_rate = phase_rate;
-    made.magnitude = magnitude;
+GaborImplImpulse GaborImplImpulse_of(float2 position_plus_one, float phase, float phase_rate, float magnitude) {
+    GaborImplImpulse made = {position_plus_one, phase, phase_rate, magnitude};
     return made;
 }
 
@@ -281,12 +262,8 @@ struct GaborImplEnergy {
     float sum;
 };
 
-GaborImplEnergy GaborImplEnergy_of(float4 e4567, float e8, float sum)
-{
-    GaborImplEnergy made;
-    made.e4567 = e4567;
-    made.e8 = e8;
-    made.sum = sum;
+GaborImplEnergy GaborImplEnergy_of(float4 e4567, float e8, float sum) {
+    GaborImplEnergy made = {e4567, e8, sum};
     return made;
 }
 
