@@ -1,6 +1,7 @@
 """Checks that Unity graphs refer only to existing objects, and that hand-written ports to other languages give the same
 noise as the GLSL. This test runs the ports on the CPU; tools/test-engines runs them in renderers and browsers."""
 
+import functools
 import json
 import os
 import pathlib
@@ -23,6 +24,19 @@ from scene import SHADERS, in_cpp, on_vulkan, packaged  # noqa: E402
 
 NODES = SHADERS / "nodes"
 UNITY = NODES / "unity"
+
+
+@functools.cache
+def materialx_package():
+    """Returns a temporary folder, while the program runs, with MaterialX's package."""
+    folder = tempfile.TemporaryDirectory(prefix="gabor-")
+    packaged("materialx", folder.name)
+    return folder
+
+
+def materialx():
+    """Returns the folder of MaterialX's library in its package."""
+    return pathlib.Path(materialx_package().name) / "libraries" / "gabor"
 
 
 def guid(path):
@@ -316,7 +330,7 @@ class Interfaces(unittest.TestCase):
                 yield line
 
     def materialx(self):
-        folder = NODES / "materialx/libraries/gabor"
+        folder = materialx()
         used = {}
         for node in ElementTree.parse(folder / "gabor_defs.mtlx").iter("nodedef"):
             self.assertEqual(node.get("name").removeprefix("ND_").partition("_")[0], node.get("node"))
@@ -459,7 +473,7 @@ class ByHand(unittest.TestCase):
 
     def test_nodes_of_materialx(self):
         """Runs the nodes' functions, translated to OSL."""
-        folder = packaged("materialx", self.folder / "materialx") / "libraries/gabor/genosl"
+        folder = materialx() / "genosl"
         names = "lib/mx_gabor", "mx_gaborfield2d", "mx_gaborfield3d", "mx_gaborseed"
         text = "struct vector2 { float x; float y; };\nstruct vector4 { float x; float y; float z; float w; };\n" + "".join(
             re.sub("#include.*", "", (folder / f"{name}.osl").read_text()) for name in names)
@@ -471,8 +485,7 @@ class ByHand(unittest.TestCase):
 
     def test_module_of_materialx(self):
         """Runs MDL's functions as C++."""
-        folder = packaged("materialx", self.folder / "materialx")
-        text = (folder / "libraries/gabor/genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
+        text = (materialx() / "genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
         text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", re.sub(r">>> (\d+)", r">> Right{\1}", text))
         seeds = ["seed", *(f"int(gabor_lobe_seed(seed,-{k}))" for k in (1, 2, 3))]
         cases = {"mx_gaborseed(seed,-2)": [seeds[2]]}
@@ -564,9 +577,9 @@ class ByHand(unittest.TestCase):
 
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
-        defined = {each.get("name"): each for each in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_defs.mtlx").iter("nodedef")}
+        defined = {each.get("name"): each for each in ElementTree.parse(materialx() / "gabor_defs.mtlx").iter("nodedef")}
         graphs = {}
-        for graph in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_ng.mtlx").getroot().iter("nodegraph"):
+        for graph in ElementTree.parse(materialx() / "gabor_ng.mtlx").getroot().iter("nodegraph"):
             nodes = {each.get("name"): each for each in graph}
 
             def value(put):

@@ -475,7 +475,9 @@ class MaterialX(Node):
                      for path in (mdl, *osl, *sources)}
         for source, made in zip(sources, osl):
             self.assertLessEqual(functions[source], functions[made] & functions[mdl])
-        return [str(path.relative_to(root)) for path in (mdl, *osl)]
+        documents = [library / f"gabor_{name}.mtlx" for name in ("defs", "ng")]
+        documents += [library / target / f"gabor_{target}_impl.mtlx" for target in ("genglsl", "genosl", "genmdl")]
+        return [str(path.relative_to(root)) for path in (mdl, *osl, *documents)]
 
     def test_library_is_valid(self):
         """Validates all files of the library as one document, since graphs name definitions of other files."""
