@@ -27,16 +27,21 @@ UNITY = NODES / "unity"
 
 
 @functools.cache
-def materialx_package():
-    """Returns a temporary folder, while the program runs, with MaterialX's package."""
+def package(name):
+    """Returns a temporary folder, while the program runs, with a node's package."""
     folder = tempfile.TemporaryDirectory(prefix="gabor-")
-    packaged("materialx", folder.name)
+    packaged(name, folder.name)
     return folder
 
 
 def materialx():
     """Returns the folder of MaterialX's library in its package."""
-    return pathlib.Path(materialx_package().name) / "libraries" / "gabor"
+    return pathlib.Path(package("materialx").name) / "libraries" / "gabor"
+
+
+def unity():
+    """Returns the folder of Unity's package."""
+    return pathlib.Path(package("unity").name)
 
 
 def guid(path):
@@ -47,7 +52,7 @@ class UnityNoise(unittest.TestCase):
     graph_file = "Gabor Noise.shadersubgraph"
 
     def setUp(self):
-        text = (UNITY / self.graph_file).read_text()
+        text = (unity() / self.graph_file).read_text()
         objects = [json.loads(part) for part in text.split("\n\n")]
         self.objects = {each["m_ObjectId"]: each for each in objects}
         self.assertEqual(len(self.objects), len(objects))
@@ -282,7 +287,7 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(found, golden.read_text())
 
     def unity(self):
-        for path in sorted(UNITY.glob("*.shadersubgraph")):
+        for path in sorted(unity().glob("*.shadersubgraph")):
             graph, *objects = map(json.loads, path.read_text().split("\n\n"))
             named = {each["m_ObjectId"]: each for each in objects}
             yield f"Unity: {graph['m_Path']}/{path.stem}, {named[graph['m_OutputNode']['m_Id']]['m_Name']}"
