@@ -1,5 +1,5 @@
-"""Generates the parts of shaders/nodes that are translations: MaterialX's library in GLSL, OSL and MDL, with a few
-functions of gabor_noise.glsl for languages without structs or unsigned integers. tools/translate calls this module."""
+"""Generates MaterialX's library: its functions in GLSL, OSL and MDL, with a few of gabor_noise.glsl for languages without structs or
+unsigned integers, and its definitions and graphs. tools/translate and tools/package call this module."""
 
 import itertools
 import pathlib
@@ -11,6 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIBRARY = ROOT / "shaders" / "nodes" / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MARK, END = "// ---- From gabor_noise.glsl ----\n", "// ---- End ----\n"
+
+# ---- Functions -----------------------------------------------------------------------------------------------------
 
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_derived_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
@@ -133,6 +135,143 @@ def made(shader):
     yield COMMON, f"{before}{MARK}\n{text}\n{END}{rest.partition(END)[2]}"
 
 
+# ---- Definitions and graphs ----------------------------------------------------------------------------------------
+
+DOCUMENT = """<?xml version="1.0"?>
+<materialx version="1.39">
+  <!--
+    Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+{}  -->
+
+{}</materialx>
+"""
+ABOUT = """
+    Gabor noise on a lattice: positions are in kernel radii, frequencies in cycles per kernel radius. Only gaborfield2d, gaborfield3d
+    and gaborseed have an implementation for each target; the other nodes are graphs of these three.
+"""
+COUNTS = {"float": 1, "vector2": 2, "vector3": 3, "vector4": 4, "color3": 3, "color4": 4}
+# The inputs of most nodes, as "name type attributes".
+PIVOT = 'pivot float value="0.0" uiname="Pivot"'
+FREQUENCY = 'frequency float value="4.0" uimin="0.0" uisoftmax="16.0" uiname="Frequency" doc="Cycles per kernel radius"'
+SEED = 'seed integer value="0" uiname="Seed" doc="Each seed gives an independent noise"'
+FLAT = ('texcoord vector2 defaultgeomprop="UV0" uiname="Texture Coordinates" doc="Position in kernel radii"', FREQUENCY,
+        'orientation float value="45.0" unittype="angle" unit="degree" uisoftmin="0.0" uisoftmax="180.0" uiname="Orientation" '
+        'doc="Direction of the wave vector, from x towards y"', SEED)
+SOLID = ('position vector3 defaultgeomprop="Pobject" uiname="Position" doc="Position in kernel radii"', FREQUENCY,
+         'direction vector3 value="1.0, 1.0, 1.0" uiname="Direction" doc="Direction of the wave vector, of any length"', SEED)
+# What nodes call their arguments, if not in, or in1, in2 and so on.
+ARGUMENTS = {"extract": "in index", "constant": "value", "gaborseed": "seed index",
+             "gaborfield2d": "texcoord frequency orientation seed", "gabornoise2d": "amplitude pivot texcoord frequency orientation seed",
+             "gaborfield3d": "position frequency direction seed", "gabornoise3d": "amplitude pivot position frequency direction seed"}
+
+
+def several(kind, number):
+    return ", ".join(COUNTS[kind] * [number])
+
+
+def definition(name, group, about, inputs, outputs):
+    """Returns a node's definition. Inputs are "name type attributes", and outputs "name type description"."""
+    lines = [f'  <nodedef name="ND_{name}" node="{name.partition("_")[0]}" nodegroup="procedural{group}" version="1.0" isdefaultversion="true" '
+             f'doc="{about}">']
+    lines += ['    <input name="{}" type="{}" {} />'.format(*each.split(" ", 2)) for each in inputs]
+    for name, kind, *about in (each.split(" ", 2) for each in outputs):
+        default = "0" if kind == "integer" else several(kind, "0.0")
+        lines.append(f'    <output name="{name}" type="{kind}" default="{default}"' + "".join(f' doc="{each}"' for each in about) + " />")
+    return "\n".join([*lines, "  </nodedef>\n"])
+
+
+def graph(name, inputs, outputs, nodes):
+    """Returns a node's graph. Each of its nodes is "name type = category(argument; argument)": arguments are values, or names of
+    inputs or of earlier nodes. Outputs have the names of nodes."""
+    lines, kinds, made = [f'  <nodegraph name="NG_{name}" nodedef="ND_{name}">'], dict(each.split()[:2] for each in inputs), {}
+    for name, kind, category, given in re.findall(r"(\w+) (\w+) = (\w+)\((.*?)\)", nodes):
+        values = given.split("; ")
+        names = ARGUMENTS[category].split() if category in ARGUMENTS else [f"in{k}" for k in (1, 2, 3, 4)] if len(values) > 1 else ["in"]
+        lines.append(f'    <{category} name="N_{name}" type="{kind}">')
+        for put, value in zip(names, values):
+            if value in made | kinds:
+                lines.append(f'      <input name="{put}" type="{(kinds | made)[value]}" '
+                             + (f'nodename="N_{value}" />' if value in made else f'interfacename="{value}" />'))
+            elif value:
+                type = "integer" if put == "index" else kind if "," in value else "float"
+                lines.append(f'      <input name="{put}" type="{type}" value="{value}" />')
+        lines.append(f"    </{category}>")
+        made[name] = kind
+    lines += [f'    <output name="{name}" type="{kind}" nodename="N_{name}" />' for name, kind, *_ in map(str.split, outputs)]
+    return "\n".join([*lines, "  </nodegraph>\n"])
+
+
+def noises(dim, where, wave):
+    """Yields a noise for each type. FA is for an amplitude that is one float, as for MaterialX's noise2d."""
+    about = f"Gabor noise in {where}, times amplitude, plus pivot. The noise is normal, with mean 0 and variance 1 at every point"
+    for (kind, count), suffix in itertools.product(COUNTS.items(), ("", "FA")):
+        vector, noise = kind.replace("color", "vector"), f"gabornoise{dim}(AMPLITUDE; {ARGUMENTS[f'gabornoise{dim}'][10:].replace(' ', '; ')})"
+        fields = [f"seed{k} integer = gaborseed(seed; -{k}) " * (k > 0) + f"field{k} vector4 = gaborfield{dim}("
+                  + ARGUMENTS[f"gaborfield{dim}"].replace(" ", "; ") + f"{k or ''}) noise{k} float = extract(field{k}; 0) " for k in range(count)]
+        if suffix:
+            nodes = f"amplitudes {vector} = convert(amplitude) out {kind} = {noise.replace('AMPLITUDE', 'amplitudes')}"
+        elif kind != vector:
+            nodes = f"noise {vector} = {noise.replace('AMPLITUDE', 'amplitude')} out {kind} = convert(noise)"
+        else:
+            all = f"noise {kind} = combine{count}({'; '.join(f'noise{k}' for k in range(count))}) " * (count > 1)
+            nodes = "".join(fields) + all + f"scaled {kind} = multiply(noise{'0' * (count == 1)}; amplitude) out {kind} = add(scaled; pivot)"
+        if count > 1 or not suffix:
+            type = "float" if suffix else vector
+            yield (f"gabornoise{dim}_{kind}{suffix}", dim, about, [f'amplitude {type} value="{several(type, "1.0")}" uiname="Amplitude"', PIVOT, *wave],
+                   [f"out {kind}"], nodes)
+
+
+def described():
+    """Yields the name, group, description, inputs, outputs and graph of each node. The first three have source code instead."""
+    yield "gaborfield2d", "2d", "Gabor noise, its quadrature, and the noise's derivatives along x and y per kernel radius", FLAT, ["out vector4"], ""
+    yield "gaborfield3d", "3d", "Gabor noise in space, and its derivatives along x, y and z per kernel radius", SOLID, ["out vector4"], ""
+    yield ("gaborseed", "", "The seed of one noise in a sum of independent noises", ['seed integer value="0"', 'index integer value="0"'],
+           ["out integer"], "")
+    yield from noises("2d", "the plane", FLAT)
+    yield from noises("3d", "space", SOLID)
+    mean, gradient = "noise float Mean 0 and variance 1", "Gradient of the noise, per kernel radius"
+    yield ("gaborwave2d", "2d", "Gabor noise as a complex number, and its gradient", FLAT,
+           [mean, "quadrature float The noise with cosines instead of sines; at each point the two are independent", f"gradient vector2 {gradient}"], """
+           field vector4 = gaborfield2d(texcoord; frequency; orientation; seed)
+           noise float = extract(field; 0) quadrature float = extract(field; 1) x float = extract(field; 2) y float = extract(field; 3)
+           gradient vector2 = combine2(x; y)""")
+    yield "gaborwave3d", "3d", "Gabor noise in space and its gradient", SOLID, [mean, f"gradient vector3 {gradient}"], """
+           field vector4 = gaborfield3d(position; frequency; direction; seed)
+           noise float = extract(field; 0) x float = extract(field; 1) y float = extract(field; 2) z float = extract(field; 3)
+           gradient vector3 = combine3(x; y; z)"""
+    streaks = "".join(f"""
+           place{k} vector2 = multiply(texcoord; {0.3 + 0.12 * 2**k:g}, {9 * 2**k}) seed{k} integer = gaborseed(seed; {k})
+           streak{k} vector4 = gaborfield2d(place{k}; 0.0; ; seed{k})
+           relief{k} float = extract(streak{k}; 1) height{k} float = multiply(relief{k}; {0.0012 / 2**k:g}) tone{k} float = extract(streak{k}; 0)"""
+                      for k in range(5))
+    sums = " ".join(f"{each}s{k} float = add({each}{'s' * (k > 1)}{k - 1}; {each}{k})" for k in (1, 2, 3) for each in ("height", "tone"))
+    yield ("gaborbrushedmetal", "2d", "Streaks along x, for a metalness of 1 and a roughness of 0.36: gabor_brushed_metal of gabor_materials.glsl",
+           [FLAT[0].partition(" doc")[0], SEED.replace("an independent noise", "another piece of metal")],
+           ["base_color color3", "height float In units of texcoord"], f"""{streaks}
+           {sums} height float = add(heights3; height4) tones4 float = add(tones3; tone4)
+           contrast float = multiply(tones4; 0.040249224) mean float = subtract(contrast; 0.00405) factor float = exp(mean)
+           metal color3 = constant(0.55, 0.555, 0.565) bright color3 = multiply(metal; factor) base_color color3 = clamp(bright)""")
+    yield ("gaborstripes2d", "2d", "Stripes of even contrast across the wave vector", [*FLAT[:3], 'sharpness float value="2.0" uimin="0.0" uisoftmax="8.0" '
+           'uiname="Sharpness" doc="Stripes have full contrast where the intensity is above 1 / sharpness"', SEED.replace("noise", "pattern")],
+           ["cosine float", "sine float", "intensity float Intensity of the waves before their contrast is evened out"], """
+           field vector4 = gaborfield2d(texcoord; frequency; orientation; seed)
+           y float = extract(field; 0) x float = extract(field; 1) wave vector2 = combine2(x; y) intensity float = magnitude(wave)
+           length float = max(intensity; 1e-10) inverse float = divide(1.0; length) factor float = min(inverse; sharpness)
+           cosine float = multiply(x; factor) sine float = multiply(y; factor)""")
+
+
+def documents():
+    """Yields the path and text of each of the library's documents."""
+    nodes = [*described()]
+    yield LIBRARY / "gabor_defs.mtlx", DOCUMENT.format(ABOUT, "".join(definition(*node[:-1]) for node in nodes))
+    yield LIBRARY / "gabor_ng.mtlx", DOCUMENT.format("", "\n".join(graph(name, *rest) for name, _, _, *rest in nodes[3:]))
+    coded, of_mdl = [name for name, *_ in nodes[:3]], [name for name, *_ in nodes if re.match("gabornoise(?!.*color4)", name)]
+    for target, names in {"genglsl": coded, "genosl": coded, "genmdl": coded + of_mdl}.items():
+        file = "gabor/genmdl/mx_gabor.mdl" if target == "genmdl" else f"mx_{{0}}.{target[3:]}"
+        line = f'  <implementation name="IM_{{0}}_{target}" nodedef="ND_{{0}}" file="{file}" function="mx_{{0}}" target="{target}" />\n'
+        yield LIBRARY / target / f"gabor_{target}_impl.mtlx", DOCUMENT.format("", "".join(map(line.format, names)))
+
+
 def packaged():
     """Yields the path and text of each file of MaterialX's library that only its package has."""
     header = ("// Generated from ../genglsl by tools/translate: change those files, not this one.\n"
@@ -147,3 +286,4 @@ def packaged():
     whole = "\n".join([*(Mdl(tree).text(tree.items[0].start) for tree in trees), *mdl_variants()])
     whole = whole.replace(END + "\n", "")
     yield LIBRARY / "genmdl" / "mx_gabor.mdl", f"{header}mdl 1.6;\n\nimport ::math::*;\n\n{whole}"
+    yield from documents()

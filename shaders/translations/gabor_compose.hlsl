@@ -56,17 +56,10 @@ struct GaborBoards {
     float joint_depth;     // depth of the joints below height 0, in units, 0 to 0.2
 };
 
-GaborBoards GaborBoards_of(float3 joint_colour, float board_width, float board_length, float offset, float turned_share, float shade_variation, float joint_width, float joint_depth)
-{
-    GaborBoards made;
-    made.joint_colour = joint_colour;
-    made.board_width = board_width;
-    made.board_length = board_length;
-    made.offset = offset;
-    made.turned_share = turned_share;
-    made.shade_variation = shade_variation;
-    made.joint_width = joint_width;
-    made.joint_depth = joint_depth;
+GaborBoards GaborBoards_of(float3 joint_colour, float board_width, float board_length, float offset, float turned_share,
+        float shade_variation, float joint_width, float joint_depth) {
+    GaborBoards made = {joint_colour, board_width, board_length, offset, turned_share, shade_variation, joint_width,
+        joint_depth};
     return made;
 }
 
@@ -81,16 +74,9 @@ struct GaborBoard {
     float3 joint_cover; // how much of the pixel is a joint, and the derivatives of that along x and y
 };
 
-GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 rotation, float shade, float3 joint_cover)
-{
-    GaborBoard made;
-    made.position = position;
-    made.dx = dx;
-    made.dy = dy;
-    made.seed = seed;
-    made.rotation = rotation;
-    made.shade = shade;
-    made.joint_cover = joint_cover;
+GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float2 rotation, float shade,
+        float3 joint_cover) {
+    GaborBoard made = {position, dx, dy, seed, rotation, shade, joint_cover};
     return made;
 }
 

@@ -27,14 +27,8 @@ struct GaborTerrain {
     float2 ridge_slope; // the derivatives of ridge
 };
 
-GaborTerrain GaborTerrain_of(float height, float2 slope, float ridge, float3 curvature, float2 ridge_slope)
-{
-    GaborTerrain made;
-    made.height = height;
-    made.slope = slope;
-    made.ridge = ridge;
-    made.curvature = curvature;
-    made.ridge_slope = ridge_slope;
+GaborTerrain GaborTerrain_of(float height, float2 slope, float ridge, float3 curvature, float2 ridge_slope) {
+    GaborTerrain made = {height, slope, ridge, curvature, ridge_slope};
     return made;
 }
 
@@ -56,21 +50,11 @@ struct GaborErosion {
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
-GaborErosion GaborErosion_of(int octaves, float gully_frequency, float strength, float lacunarity, float gain, float onset_slope, float detail, float uniformity, float ridge_rounding, float crease_rounding, float gully_weight, float branching)
-{
-    GaborErosion made;
-    made.octaves = octaves;
-    made.gully_frequency = gully_frequency;
-    made.strength = strength;
-    made.lacunarity = lacunarity;
-    made.gain = gain;
-    made.onset_slope = onset_slope;
-    made.detail = detail;
-    made.uniformity = uniformity;
-    made.ridge_rounding = ridge_rounding;
-    made.crease_rounding = crease_rounding;
-    made.gully_weight = gully_weight;
-    made.branching = branching;
+GaborErosion GaborErosion_of(int octaves, float gully_frequency, float strength, float lacunarity, float gain,
+        float onset_slope, float detail, float uniformity, float ridge_rounding, float crease_rounding,
+        float gully_weight, float branching) {
+    GaborErosion made = {octaves, gully_frequency, strength, lacunarity, gain, onset_slope, detail, uniformity,
+        ridge_rounding, crease_rounding, gully_weight, branching};
     return made;
 }
 
@@ -99,12 +83,8 @@ struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(int2(
     float2 period; // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
 };
 
-GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period)
-{
-    GaborTerrainPlace made;
-    made.cell = cell;
-    made.local = local;
-    made.period = period;
+GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period) {
+    GaborTerrainPlace made = {cell, local, period};
     return made;
 }
 
@@ -171,15 +151,9 @@ struct GaborImplHills {
     float2 curvature_yy;
 };
 
-GaborImplHills GaborImplHills_of(float2 value, float2 slope_x, float2 slope_y, float2 curvature_xx, float2 curvature_xy, float2 curvature_yy)
-{
-    GaborImplHills made;
-    made.value = value;
-    made.slope_x = slope_x;
-    made.slope_y = slope_y;
-    made.curvature_xx = curvature_xx;
-    made.curvature_xy = curvature_xy;
-    made.curvature_yy = curvature_yy;
+GaborImplHills GaborImplHills_of(float2 value, float2 slope_x, float2 slope_y, float2 curvature_xx, float2 curvature_xy,
+        float2 curvature_yy) {
+    GaborImplHills made = {value, slope_x, slope_y, curvature_xx, curvature_xy, curvature_yy};
     return made;
 }
 
@@ -251,13 +225,8 @@ struct GaborImplBentField {
     float2 bent;
 };
 
-GaborImplBentField GaborImplBentField_of(float2 value, float2 along_x, float2 along_y, float2 bent)
-{
-    GaborImplBentField made;
-    made.value = value;
-    made.along_x = along_x;
-    made.along_y = along_y;
-    made.bent = bent;
+GaborImplBentField GaborImplBentField_of(float2 value, float2 along_x, float2 along_y, float2 bent) {
+    GaborImplBentField made = {value, along_x, along_y, bent};
     return made;
 }
 

@@ -108,11 +108,8 @@ struct GaborImplFootprint {
     float3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 
-GaborImplFootprint GaborImplFootprint_of(float3 covariance, float3 resolved)
-{
-    GaborImplFootprint made;
-    made.covariance = covariance;
-    made.resolved = resolved;
+GaborImplFootprint GaborImplFootprint_of(float3 covariance, float3 resolved) {
+    GaborImplFootprint made = {covariance, resolved};
     return made;
 }
 
@@ -209,11 +206,8 @@ struct GaborImplFactors {
     float3 imaginary;
 };
 
-GaborImplFactors GaborImplFactors_of(float3 real, float3 imaginary)
-{
-    GaborImplFactors made;
-    made.real = real;
-    made.imaginary = imaginary;
+GaborImplFactors GaborImplFactors_of(float3 real, float3 imaginary) {
+    GaborImplFactors made = {real, imaginary};
     return made;
 }
 
@@ -238,24 +232,11 @@ struct GaborImplFilteredAxis {
     float2 back;      // the same for the noise's wave
 };
 
-GaborImplFilteredAxis GaborImplFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1, float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt, float2 turn_back, float2 back)
-{
-    GaborImplFilteredAxis made;
-    made.even_0 = even_0;
-    made.even_1 = even_1;
-    made.even_2 = even_2;
-    made.even_3 = even_3;
-    made.odd_1 = odd_1;
-    made.odd_2 = odd_2;
-    made.odd_3 = odd_3;
-    made.reach = reach;
-    made.offset = offset;
-    made.count = count;
-    made.first = first;
-    made.period = period;
-    made.salt = salt;
-    made.turn_back = turn_back;
-    made.back = back;
+GaborImplFilteredAxis GaborImplFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1,
+        float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt,
+        float2 turn_back, float2 back) {
+    GaborImplFilteredAxis made = {even_0, even_1, even_2, even_3, odd_1, odd_2, odd_3, reach, offset, count, first,
+        period, salt, turn_back, back};
     return made;
 }
 
@@ -312,14 +293,9 @@ struct GaborImplFilteredLine {
     float2 phase; // the same for the noise's wave
 };
 
-GaborImplFilteredLine GaborImplFilteredLine_of(uint word, GaborImplFactors window, float2 fade, float2 turn, float2 phase)
-{
-    GaborImplFilteredLine made;
-    made.word = word;
-    made.window = window;
-    made.fade = fade;
-    made.turn = turn;
-    made.phase = phase;
+GaborImplFilteredLine GaborImplFilteredLine_of(uint word, GaborImplFactors window, float2 fade, float2 turn,
+        float2 phase) {
+    GaborImplFilteredLine made = {word, window, fade, turn, phase};
     return made;
 }
 
@@ -363,15 +339,9 @@ struct GaborImplColumns {
     bool five;
 };
 
-GaborImplColumns GaborImplColumns_of(GaborImplFilteredLine column_0, GaborImplFilteredLine column_1, GaborImplFilteredLine column_2, GaborImplFilteredLine column_3, GaborImplFilteredLine column_4, bool five)
-{
-    GaborImplColumns made;
-    made.column_0 = column_0;
-    made.column_1 = column_1;
-    made.column_2 = column_2;
-    made.column_3 = column_3;
-    made.column_4 = column_4;
-    made.five = five;
+GaborImplColumns GaborImplColumns_of(GaborImplFilteredLine column_0, GaborImplFilteredLine column_1,
+        GaborImplFilteredLine column_2, GaborImplFilteredLine column_3, GaborImplFilteredLine column_4, bool five) {
+    GaborImplColumns made = {column_0, column_1, column_2, column_3, column_4, five};
     return made;
 }
 
@@ -562,12 +532,8 @@ struct GaborImplWindows {
     float2 sine;
 };
 
-GaborImplWindows GaborImplWindows_of(float2 middle, float2 cosine, float2 sine)
-{
-    GaborImplWindows made;
-    made.middle = middle;
-    made.cosine = cosine;
-    made.sine = sine;
+GaborImplWindows GaborImplWindows_of(float2 middle, float2 cosine, float2 sine) {
+    GaborImplWindows made = {middle, cosine, sine};
     return made;
 }
 

@@ -61,11 +61,8 @@ struct GaborImplMatrix {
     float3 mixed; // yz, zx, xy
 };
 
-GaborImplMatrix GaborImplMatrix_of(float3 diagonal, float3 mixed)
-{
-    GaborImplMatrix made;
-    made.diagonal = diagonal;
-    made.mixed = mixed;
+GaborImplMatrix GaborImplMatrix_of(float3 diagonal, float3 mixed) {
+    GaborImplMatrix made = {diagonal, mixed};
     return made;
 }
 
@@ -172,11 +169,8 @@ struct GaborImplPixelAxes {
     float3 minor;
 };
 
-GaborImplPixelAxes GaborImplPixelAxes_of(float3 major, float3 minor)
-{
-    GaborImplPixelAxes made;
-    made.major = major;
-    made.minor = minor;
+GaborImplPixelAxes GaborImplPixelAxes_of(float3 major, float3 minor) {
+    GaborImplPixelAxes made = {major, minor};
     return made;
 }
 
@@ -300,14 +294,8 @@ struct GaborImplFilteredNode {
     float faded; // derivative of the logarithm of the fade
 };
 
-GaborImplFilteredNode GaborImplFilteredNode_of(float offset, float middle, float cosine, float sine, float faded)
-{
-    GaborImplFilteredNode made;
-    made.offset = offset;
-    made.middle = middle;
-    made.cosine = cosine;
-    made.sine = sine;
-    made.faded = faded;
+GaborImplFilteredNode GaborImplFilteredNode_of(float offset, float middle, float cosine, float sine, float faded) {
+    GaborImplFilteredNode made = {offset, middle, cosine, sine, faded};
     return made;
 }
 

@@ -49,14 +49,8 @@ struct GaborMaterial {
 };
 
 GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float roughness, float metalness, float3 lost)
-{
-    GaborMaterial made;
-    made.colour = colour;
-    made.height = height;
-    made.slope = slope;
-    made.roughness = roughness;
-    made.metalness = metalness;
-    made.lost = lost;
+        {
+    GaborMaterial made = {colour, height, slope, roughness, metalness, lost};
     return made;
 }
 
@@ -92,15 +86,9 @@ struct GaborWood {
     float roughness;       // roughness of the early wood, 0 to 1
 };
 
-GaborWood GaborWood_of(float3 earlywood_colour, float3 latewood_colour, float rings, float waviness, float pore_strength, float roughness)
-{
-    GaborWood made;
-    made.earlywood_colour = earlywood_colour;
-    made.latewood_colour = latewood_colour;
-    made.rings = rings;
-    made.waviness = waviness;
-    made.pore_strength = pore_strength;
-    made.roughness = roughness;
+GaborWood GaborWood_of(float3 earlywood_colour, float3 latewood_colour, float rings, float waviness,
+        float pore_strength, float roughness) {
+    GaborWood made = {earlywood_colour, latewood_colour, rings, waviness, pore_strength, roughness};
     return made;
 }
 
@@ -117,17 +105,9 @@ struct GaborFabric {
     float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
-GaborFabric GaborFabric_of(float3 warp_colour, float3 weft_colour, float threads, float unevenness, float relief, float roughness, float cords, float weave)
-{
-    GaborFabric made;
-    made.warp_colour = warp_colour;
-    made.weft_colour = weft_colour;
-    made.threads = threads;
-    made.unevenness = unevenness;
-    made.relief = relief;
-    made.roughness = roughness;
-    made.cords = cords;
-    made.weave = weave;
+GaborFabric GaborFabric_of(float3 warp_colour, float3 weft_colour, float threads, float unevenness, float relief,
+        float roughness, float cords, float weave) {
+    GaborFabric made = {warp_colour, weft_colour, threads, unevenness, relief, roughness, cords, weave};
     return made;
 }
 
@@ -141,15 +121,9 @@ struct GaborLeather {
     float roughness;    // roughness of the cells, 0 to 0.7
 };
 
-GaborLeather GaborLeather_of(float3 pebble_colour, float3 crease_colour, float cells, float waviness, float relief, float roughness)
-{
-    GaborLeather made;
-    made.pebble_colour = pebble_colour;
-    made.crease_colour = crease_colour;
-    made.cells = cells;
-    made.waviness = waviness;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborLeather GaborLeather_of(float3 pebble_colour, float3 crease_colour, float cells, float waviness, float relief,
+        float roughness) {
+    GaborLeather made = {pebble_colour, crease_colour, cells, waviness, relief, roughness};
     return made;
 }
 
@@ -163,15 +137,9 @@ struct GaborMarble {
     float roughness;      // 0 to 1
 };
 
-GaborMarble GaborMarble_of(float3 stone_colour, float3 vein_colour, float vein_strength, float turbulence, float cloud_strength, float roughness)
-{
-    GaborMarble made;
-    made.stone_colour = stone_colour;
-    made.vein_colour = vein_colour;
-    made.vein_strength = vein_strength;
-    made.turbulence = turbulence;
-    made.cloud_strength = cloud_strength;
-    made.roughness = roughness;
+GaborMarble GaborMarble_of(float3 stone_colour, float3 vein_colour, float vein_strength, float turbulence,
+        float cloud_strength, float roughness) {
+    GaborMarble made = {stone_colour, vein_colour, vein_strength, turbulence, cloud_strength, roughness};
     return made;
 }
 
@@ -185,15 +153,9 @@ struct GaborSand {
     float roughness;      // 0 to 1
 };
 
-GaborSand GaborSand_of(float3 trough_colour, float3 crest_colour, float ripples, float ripple_height, float grain_contrast, float roughness)
-{
-    GaborSand made;
-    made.trough_colour = trough_colour;
-    made.crest_colour = crest_colour;
-    made.ripples = ripples;
-    made.ripple_height = ripple_height;
-    made.grain_contrast = grain_contrast;
-    made.roughness = roughness;
+GaborSand GaborSand_of(float3 trough_colour, float3 crest_colour, float ripples, float ripple_height,
+        float grain_contrast, float roughness) {
+    GaborSand made = {trough_colour, crest_colour, ripples, ripple_height, grain_contrast, roughness};
     return made;
 }
 
@@ -208,16 +170,10 @@ struct GaborBrushedMetal {
     float patina_amount;   // amount of patina, 0 to 1
 };
 
-GaborBrushedMetal GaborBrushedMetal_of(float3 metal_colour, float3 patina_colour, float streaks, float streak_contrast, float streak_height, float roughness, float patina_amount)
-{
-    GaborBrushedMetal made;
-    made.metal_colour = metal_colour;
-    made.patina_colour = patina_colour;
-    made.streaks = streaks;
-    made.streak_contrast = streak_contrast;
-    made.streak_height = streak_height;
-    made.roughness = roughness;
-    made.patina_amount = patina_amount;
+GaborBrushedMetal GaborBrushedMetal_of(float3 metal_colour, float3 patina_colour, float streaks, float streak_contrast,
+        float streak_height, float roughness, float patina_amount) {
+    GaborBrushedMetal made = {metal_colour, patina_colour, streaks, streak_contrast, streak_height, roughness,
+        patina_amount};
     return made;
 }
 
@@ -233,17 +189,10 @@ struct GaborScratches {
     float roughness;         // 0 to 1
 };
 
-GaborScratches GaborScratches_of(float3 lacquer_colour, float3 scratch_colour, float amount, float scratch_length, float scratch_direction, float direction_spread, float depth, float roughness)
-{
-    GaborScratches made;
-    made.lacquer_colour = lacquer_colour;
-    made.scratch_colour = scratch_colour;
-    made.amount = amount;
-    made.scratch_length = scratch_length;
-    made.scratch_direction = scratch_direction;
-    made.direction_spread = direction_spread;
-    made.depth = depth;
-    made.roughness = roughness;
+GaborScratches GaborScratches_of(float3 lacquer_colour, float3 scratch_colour, float amount, float scratch_length,
+        float scratch_direction, float direction_spread, float depth, float roughness) {
+    GaborScratches made = {lacquer_colour, scratch_colour, amount, scratch_length, scratch_direction, direction_spread,
+        depth, roughness};
     return made;
 }
 
@@ -258,16 +207,9 @@ struct GaborZebra {
     float roughness;        // 0 to 1
 };
 
-GaborZebra GaborZebra_of(float3 background_colour, float3 stripe_colour, float stripes, float orientation, float bend_angle, float hair_contrast, float roughness)
-{
-    GaborZebra made;
-    made.background_colour = background_colour;
-    made.stripe_colour = stripe_colour;
-    made.stripes = stripes;
-    made.orientation = orientation;
-    made.bend_angle = bend_angle;
-    made.hair_contrast = hair_contrast;
-    made.roughness = roughness;
+GaborZebra GaborZebra_of(float3 background_colour, float3 stripe_colour, float stripes, float orientation,
+        float bend_angle, float hair_contrast, float roughness) {
+    GaborZebra made = {background_colour, stripe_colour, stripes, orientation, bend_angle, hair_contrast, roughness};
     return made;
 }
 
@@ -282,16 +224,9 @@ struct GaborBark {
     float roughness;    // 0 to 1
 };
 
-GaborBark GaborBark_of(float3 plate_colour, float3 furrow_colour, float3 moss_colour, float furrows, float moss_amount, float depth, float roughness)
-{
-    GaborBark made;
-    made.plate_colour = plate_colour;
-    made.furrow_colour = furrow_colour;
-    made.moss_colour = moss_colour;
-    made.furrows = furrows;
-    made.moss_amount = moss_amount;
-    made.depth = depth;
-    made.roughness = roughness;
+GaborBark GaborBark_of(float3 plate_colour, float3 furrow_colour, float3 moss_colour, float furrows, float moss_amount,
+        float depth, float roughness) {
+    GaborBark made = {plate_colour, furrow_colour, moss_colour, furrows, moss_amount, depth, roughness};
     return made;
 }
 
@@ -304,14 +239,8 @@ struct GaborCarbonFibre {
     float roughness;      // 0 to 1
 };
 
-GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float fibre_contrast, float relief, float roughness)
-{
-    GaborCarbonFibre made;
-    made.colour = colour;
-    made.tows = tows;
-    made.fibre_contrast = fibre_contrast;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborCarbonFibre GaborCarbonFibre_of(float3 colour, float tows, float fibre_contrast, float relief, float roughness) {
+    GaborCarbonFibre made = {colour, tows, fibre_contrast, relief, roughness};
     return made;
 }
 
@@ -327,17 +256,10 @@ struct GaborStrata {
     float roughness;        // 0 to 1
 };
 
-GaborStrata GaborStrata_of(float3 dark_rock_colour, float3 light_rock_colour, float3 soft_layer_colour, float3 thin_layer_colour, float layers, float folding, float relief, float roughness)
-{
-    GaborStrata made;
-    made.dark_rock_colour = dark_rock_colour;
-    made.light_rock_colour = light_rock_colour;
-    made.soft_layer_colour = soft_layer_colour;
-    made.thin_layer_colour = thin_layer_colour;
-    made.layers = layers;
-    made.folding = folding;
-    made.relief = relief;
-    made.roughness = roughness;
+GaborStrata GaborStrata_of(float3 dark_rock_colour, float3 light_rock_colour, float3 soft_layer_colour,
+        float3 thin_layer_colour, float layers, float folding, float relief, float roughness) {
+    GaborStrata made = {dark_rock_colour, light_rock_colour, soft_layer_colour, thin_layer_colour, layers, folding,
+        relief, roughness};
     return made;
 }
 
@@ -388,15 +310,8 @@ struct GaborImplPixel {
     float2 period;
 };
 
-GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, float2 dx, float2 dy, float2 period)
-{
-    GaborImplPixel made;
-    made.position = position;
-    made.by_x = by_x;
-    made.by_y = by_y;
-    made.dx = dx;
-    made.dy = dy;
-    made.period = period;
+GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, float2 dx, float2 dy, float2 period) {
+    GaborImplPixel made = {position, by_x, by_y, dx, dy, period};
     return made;
 }
 
@@ -531,15 +446,8 @@ struct GaborImplLayer {
     uint seed;
 };
 
-GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed)
-{
-    GaborImplLayer made;
-    made.slot = slot;
-    made.at = at;
-    made.density = density;
-    made.wave = wave;
-    made.amplitude = amplitude;
-    made.seed = seed;
+GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed) {
+    GaborImplLayer made = {slot, at, density, wave, amplitude, seed};
     return made;
 }
 
@@ -571,13 +479,8 @@ struct GaborImplPair {
     float3 lost;
 };
 
-GaborImplPair GaborImplPair_of(float3 first, float3 second, float removed, float3 lost)
-{
-    GaborImplPair made;
-    made.first = first;
-    made.second = second;
-    made.removed = removed;
-    made.lost = lost;
+GaborImplPair GaborImplPair_of(float3 first, float3 second, float removed, float3 lost) {
+    GaborImplPair made = {first, second, removed, lost};
     return made;
 }
 
@@ -590,14 +493,9 @@ struct GaborImplPairs {
     GaborImplPair pair_4;
 };
 
-GaborImplPairs GaborImplPairs_of(GaborImplPair pair_0, GaborImplPair pair_1, GaborImplPair pair_2, GaborImplPair pair_3, GaborImplPair pair_4)
-{
-    GaborImplPairs made;
-    made.pair_0 = pair_0;
-    made.pair_1 = pair_1;
-    made.pair_2 = pair_2;
-    made.pair_3 = pair_3;
-    made.pair_4 = pair_4;
+GaborImplPairs GaborImplPairs_of(GaborImplPair pair_0, GaborImplPair pair_1, GaborImplPair pair_2, GaborImplPair pair_3,
+        GaborImplPair pair_4) {
+    GaborImplPairs made = {pair_0, pair_1, pair_2, pair_3, pair_4};
     return made;
 }
 
@@ -657,13 +555,8 @@ struct GaborImplSpotsAxis {
     float4 last;
 };
 
-GaborImplSpotsAxis GaborImplSpotsAxis_of(uint3 word, float4 first, float4 middle, float4 last)
-{
-    GaborImplSpotsAxis made;
-    made.word = word;
-    made.first = first;
-    made.middle = middle;
-    made.last = last;
+GaborImplSpotsAxis GaborImplSpotsAxis_of(uint3 word, float4 first, float4 middle, float4 last) {
+    GaborImplSpotsAxis made = {word, first, middle, last};
     return made;
 }
 
@@ -699,12 +592,8 @@ struct GaborImplSpotsLine {
     float2 fade;
 };
 
-GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade)
-{
-    GaborImplSpotsLine made;
-    made.word = word;
-    made.window = window;
-    made.fade = fade;
+GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade) {
+    GaborImplSpotsLine made = {word, window, fade};
     return made;
 }
 
@@ -724,12 +613,8 @@ struct GaborImplSpotsRow {
     float2 edge;
 };
 
-GaborImplSpotsRow GaborImplSpotsRow_of(float3 real, float3 imaginary, float2 edge)
-{
-    GaborImplSpotsRow made;
-    made.real = real;
-    made.imaginary = imaginary;
-    made.edge = edge;
+GaborImplSpotsRow GaborImplSpotsRow_of(float3 real, float3 imaginary, float2 edge) {
+    GaborImplSpotsRow made = {real, imaginary, edge};
     return made;
 }
 

@@ -98,14 +98,8 @@ struct GaborPlace {
     float evolution; // as in gabor_noise_animated, in turns. Set it after calling a constructor, which sets 0
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 period, float evolution)
-{
-    GaborPlace made;
-    made.cell = cell;
-    made.local = local;
-    made.cells_per_radius = cells_per_radius;
-    made.period = period;
-    made.evolution = evolution;
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 period, float evolution) {
+    GaborPlace made = {cell, local, cells_per_radius, period, evolution};
     return made;
 }
 
@@ -134,14 +128,8 @@ struct GaborField {
     float removed; // share of the variance that a filter removed, 0 without one: see gabor_filter.hlsl
 };
 
-GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient, float removed)
-{
-    GaborField made;
-    made.noise = noise;
-    made.gradient = gradient;
-    made.quadrature = quadrature;
-    made.quadrature_gradient = quadrature_gradient;
-    made.removed = removed;
+GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient, float removed) {
+    GaborField made = {noise, gradient, quadrature, quadrature_gradient, removed};
     return made;
 }
 

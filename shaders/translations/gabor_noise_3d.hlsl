@@ -42,14 +42,8 @@ struct GaborPlace3d {
     float evolution;
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 cells_per_radius, int3 period, float evolution)
-{
-    GaborPlace3d made;
-    made.cell = cell;
-    made.local = local;
-    made.cells_per_radius = cells_per_radius;
-    made.period = period;
-    made.evolution = evolution;
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 cells_per_radius, int3 period, float evolution) {
+    GaborPlace3d made = {cell, local, cells_per_radius, period, evolution};
     return made;
 }
 
@@ -69,13 +63,8 @@ struct GaborField3d {
 };
 
 GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, float3 quadrature_gradient, float removed)
-{
-    GaborField3d made;
-    made.noise = noise;
-    made.gradient = gradient;
-    made.quadrature = quadrature;
-    made.quadrature_gradient = quadrature_gradient;
-    made.removed = removed;
+        {
+    GaborField3d made = {noise, gradient, quadrature, quadrature_gradient, removed};
     return made;
 }
 
@@ -215,12 +204,8 @@ struct GaborImplSurface {
     float second;
 };
 
-GaborImplSurface GaborImplSurface_of(float3 direction, float3 other, float second)
-{
-    GaborImplSurface made;
-    made.direction = direction;
-    made.other = other;
-    made.second = second;
+GaborImplSurface GaborImplSurface_of(float3 direction, float3 other, float second) {
+    GaborImplSurface made = {direction, other, second};
     return made;
 }
 
@@ -267,12 +252,8 @@ struct GaborImplTangents {
     float3 across;
 };
 
-GaborImplTangents GaborImplTangents_of(bool only, float3 along, float3 across)
-{
-    GaborImplTangents made;
-    made.only = only;
-    made.along = along;
-    made.across = across;
+GaborImplTangents GaborImplTangents_of(bool only, float3 along, float3 across) {
+    GaborImplTangents made = {only, along, across};
     return made;
 }
 
@@ -294,12 +275,8 @@ struct GaborImplStar3d {
     float4 third;
 };
 
-GaborImplStar3d GaborImplStar3d_of(float4 first, float4 second, float4 third)
-{
-    GaborImplStar3d made;
-    made.first = first;
-    made.second = second;
-    made.third = third;
+GaborImplStar3d GaborImplStar3d_of(float4 first, float4 second, float4 third) {
+    GaborImplStar3d made = {first, second, third};
     return made;
 }
 
@@ -340,12 +317,8 @@ struct GaborImplNode {
     float slope;
 };
 
-GaborImplNode GaborImplNode_of(float offset, float value, float slope)
-{
-    GaborImplNode made;
-    made.offset = offset;
-    made.value = value;
-    made.slope = slope;
+GaborImplNode GaborImplNode_of(float offset, float value, float slope) {
+    GaborImplNode made = {offset, value, slope};
     return made;
 }
 

@@ -41,18 +41,9 @@ struct GaborOceanBand {
     int2 drift;     // 32768 times the group velocity in nodes per second
 };
 
-GaborOceanBand GaborOceanBand_of(float amplitude, float2 slopes, int exponent, float low, float3 early, float3 late, float3 spread, float2 widen, int2 drift)
-{
-    GaborOceanBand made;
-    made.amplitude = amplitude;
-    made.slopes = slopes;
-    made.exponent = exponent;
-    made.low = low;
-    made.early = early;
-    made.late = late;
-    made.spread = spread;
-    made.widen = widen;
-    made.drift = drift;
+GaborOceanBand GaborOceanBand_of(float amplitude, float2 slopes, int exponent, float low, float3 early, float3 late,
+        float3 spread, float2 widen, int2 drift) {
+    GaborOceanBand made = {amplitude, slopes, exponent, low, early, late, spread, widen, drift};
     return made;
 }
 
@@ -85,14 +76,8 @@ struct GaborWater {
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
 
-GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobian, float3 lost)
-{
-    GaborWater made;
-    made.height = height;
-    made.slope = slope;
-    made.shift = shift;
-    made.jacobian = jacobian;
-    made.lost = lost;
+GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobian, float3 lost) {
+    GaborWater made = {height, slope, shift, jacobian, lost};
     return made;
 }
 // GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
@@ -143,12 +128,8 @@ struct GaborImplJonswap {
     float sharp;
 };
 
-GaborImplJonswap GaborImplJonswap_of(float peak, float scale, float sharp)
-{
-    GaborImplJonswap made;
-    made.peak = peak;
-    made.scale = scale;
-    made.sharp = sharp;
+GaborImplJonswap GaborImplJonswap_of(float peak, float scale, float sharp) {
+    GaborImplJonswap made = {peak, scale, sharp};
     return made;
 }
 
@@ -180,12 +161,8 @@ struct GaborImplBandPower {
     float4 fit;       // means of rise, r, rise^2 and rise r, where r^2 is the mean of sin(d / 2)^2 at that frequency
 };
 
-GaborImplBandPower GaborImplBandPower_of(float2 sum, float variance, float4 fit)
-{
-    GaborImplBandPower made;
-    made.sum = sum;
-    made.variance = variance;
-    made.fit = fit;
+GaborImplBandPower GaborImplBandPower_of(float2 sum, float variance, float4 fit) {
+    GaborImplBandPower made = {sum, variance, fit};
     return made;
 }
 
@@ -215,12 +192,8 @@ struct GaborImplBandSpread {
     float along;
 };
 
-GaborImplBandSpread GaborImplBandSpread_of(float3 spread, float2 widen, float along)
-{
-    GaborImplBandSpread made;
-    made.spread = spread;
-    made.widen = widen;
-    made.along = along;
+GaborImplBandSpread GaborImplBandSpread_of(float3 spread, float2 widen, float along) {
+    GaborImplBandSpread made = {spread, widen, along};
     return made;
 }
 
@@ -339,15 +312,9 @@ struct GaborImplOceanNodes {
     float4 window_y;
 };
 
-GaborImplOceanNodes GaborImplOceanNodes_of(uint4 word, float4 from_x, float4 from_y, float4 window, float4 window_x, float4 window_y)
-{
-    GaborImplOceanNodes made;
-    made.word = word;
-    made.from_x = from_x;
-    made.from_y = from_y;
-    made.window = window;
-    made.window_x = window_x;
-    made.window_y = window_y;
+GaborImplOceanNodes GaborImplOceanNodes_of(uint4 word, float4 from_x, float4 from_y, float4 window, float4 window_x,
+        float4 window_y) {
+    GaborImplOceanNodes made = {word, from_x, from_y, window, window_x, window_y};
     return made;
 }
 
@@ -386,13 +353,8 @@ struct GaborImplOceanWaves {
     float4 heading_y;
 };
 
-GaborImplOceanWaves GaborImplOceanWaves_of(float4 turning, float4 k, float4 heading_x, float4 heading_y)
-{
-    GaborImplOceanWaves made;
-    made.turning = turning;
-    made.k = k;
-    made.heading_x = heading_x;
-    made.heading_y = heading_y;
+GaborImplOceanWaves GaborImplOceanWaves_of(float4 turning, float4 k, float4 heading_x, float4 heading_y) {
+    GaborImplOceanWaves made = {turning, k, heading_x, heading_y};
     return made;
 }
 

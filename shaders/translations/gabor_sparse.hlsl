@@ -105,12 +105,8 @@ struct GaborKernel {
     float variance_factor; // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 };
 
-GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor)
-{
-    GaborKernel made;
-    made.wave = wave;
-    made.amplitude = amplitude;
-    made.variance_factor = variance_factor;
+GaborKernel GaborKernel_of(float2 wave, float amplitude, float variance_factor) {
+    GaborKernel made = {wave, amplitude, variance_factor};
     return made;
 }
 
@@ -123,14 +119,8 @@ struct GaborPlace {
     float evolution; // as in gabor_noise_animated, in turns: only its fraction counts
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 period, float evolution)
-{
-    GaborPlace made;
-    made.cell = cell;
-    made.local = local;
-    made.cells_per_radius = cells_per_radius;
-    made.period = period;
-    made.evolution = evolution;
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 period, float evolution) {
+    GaborPlace made = {cell, local, cells_per_radius, period, evolution};
     return made;
 }
 
@@ -143,13 +133,8 @@ struct GaborField {
     float2 quadrature_gradient;
 };
 
-GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient)
-{
-    GaborField made;
-    made.noise = noise;
-    made.gradient = gradient;
-    made.quadrature = quadrature;
-    made.quadrature_gradient = quadrature_gradient;
+GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient) {
+    GaborField made = {noise, gradient, quadrature, quadrature_gradient};
     return made;
 }
 
@@ -227,13 +212,8 @@ struct GaborImplImpulse {
     float magnitude;  // magnitude of the weight
 };
 
-GaborImplImpulse GaborImplImpulse_of(float2 position_plus_one, float phase, float phase_rate, float magnitude)
-{
-    GaborImplImpulse made;
-    made.position_plus_one = position_plus_one;
-    made.phase = phase;
-    made.phase_rate = phase_rate;
-    made.magnitude = magnitude;
+GaborImplImpulse GaborImplImpulse_of(float2 position_plus_one, float phase, float phase_rate, float magnitude) {
+    GaborImplImpulse made = {position_plus_one, phase, phase_rate, magnitude};
     return made;
 }
 
@@ -285,12 +265,8 @@ struct GaborImplEnergy {
     float sum;
 };
 
-GaborImplEnergy GaborImplEnergy_of(float4 e4567, float e8, float sum)
-{
-    GaborImplEnergy made;
-    made.e4567 = e4567;
-    made.e8 = e8;
-    made.sum = sum;
+GaborImplEnergy GaborImplEnergy_of(float4 e4567, float e8, float sum) {
+    GaborImplEnergy made = {e4567, e8, sum};
     return made;
 }
 

@@ -69,13 +69,8 @@ struct GaborLobe {
     float power;           // power relative to the other lobes, not negative
 };
 
-GaborLobe GaborLobe_of(float cycles_per_unit, float orientation, float2 radius, float power)
-{
-    GaborLobe made;
-    made.cycles_per_unit = cycles_per_unit;
-    made.orientation = orientation;
-    made.radius = radius;
-    made.power = power;
+GaborLobe GaborLobe_of(float cycles_per_unit, float orientation, float2 radius, float power) {
+    GaborLobe made = {cycles_per_unit, orientation, radius, power};
     return made;
 }
 
@@ -235,14 +230,8 @@ struct GaborImplStar {
     float2 v;
 };
 
-GaborImplStar GaborImplStar_of(float2 first, float2 second, float2 third, float2 u, float2 v)
-{
-    GaborImplStar made;
-    made.first = first;
-    made.second = second;
-    made.third = third;
-    made.u = u;
-    made.v = v;
+GaborImplStar GaborImplStar_of(float2 first, float2 second, float2 third, float2 u, float2 v) {
+    GaborImplStar made = {first, second, third, u, v};
     return made;
 }
 

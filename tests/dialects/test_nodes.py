@@ -1,6 +1,7 @@
 """Checks that Unity graphs refer only to existing objects, and that hand-written ports to other languages give the same
 noise as the GLSL. This test runs the ports on the CPU; tools/test-engines runs them in renderers and browsers."""
 
+import functools
 import json
 import os
 import pathlib
@@ -25,6 +26,24 @@ NODES = SHADERS / "nodes"
 UNITY = NODES / "unity"
 
 
+@functools.cache
+def package(name):
+    """Returns a temporary folder, while the program runs, with a node's package."""
+    folder = tempfile.TemporaryDirectory(prefix="gabor-")
+    packaged(name, folder.name)
+    return folder
+
+
+def materialx():
+    """Returns the folder of MaterialX's library in its package."""
+    return pathlib.Path(package("materialx").name) / "libraries" / "gabor"
+
+
+def unity():
+    """Returns the folder of Unity's package."""
+    return pathlib.Path(package("unity").name)
+
+
 def guid(path):
     return re.search(r"^guid: ([0-9a-f]{32})$", (path.parent / f"{path.name}.meta").read_text(), re.MULTILINE)[1]
 
@@ -33,7 +52,7 @@ class UnityNoise(unittest.TestCase):
     graph_file = "Gabor Noise.shadersubgraph"
 
     def setUp(self):
-        text = (UNITY / self.graph_file).read_text()
+        text = (unity() / self.graph_file).read_text()
         objects = [json.loads(part) for part in text.split("\n\n")]
         self.objects = {each["m_ObjectId"]: each for each in objects}
         self.assertEqual(len(self.objects), len(objects))
@@ -268,7 +287,7 @@ class Interfaces(unittest.TestCase):
         self.assertEqual(found, golden.read_text())
 
     def unity(self):
-        for path in sorted(UNITY.glob("*.shadersubgraph")):
+        for path in sorted(unity().glob("*.shadersubgraph")):
             graph, *objects = map(json.loads, path.read_text().split("\n\n"))
             named = {each["m_ObjectId"]: each for each in objects}
             yield f"Unity: {graph['m_Path']}/{path.stem}, {named[graph['m_OutputNode']['m_Id']]['m_Name']}"
@@ -316,7 +335,7 @@ class Interfaces(unittest.TestCase):
                 yield line
 
     def materialx(self):
-        folder = NODES / "materialx/libraries/gabor"
+        folder = materialx()
         used = {}
         for node in ElementTree.parse(folder / "gabor_defs.mtlx").iter("nodedef"):
             self.assertEqual(node.get("name").removeprefix("ND_").partition("_")[0], node.get("node"))
@@ -459,7 +478,7 @@ class ByHand(unittest.TestCase):
 
     def test_nodes_of_materialx(self):
         """Runs the nodes' functions, translated to OSL."""
-        folder = packaged("materialx", self.folder / "materialx") / "libraries/gabor/genosl"
+        folder = materialx() / "genosl"
         names = "lib/mx_gabor", "mx_gaborfield2d", "mx_gaborfield3d", "mx_gaborseed"
         text = "struct vector2 { float x; float y; };\nstruct vector4 { float x; float y; float z; float w; };\n" + "".join(
             re.sub("#include.*", "", (folder / f"{name}.osl").read_text()) for name in names)
@@ -471,8 +490,7 @@ class ByHand(unittest.TestCase):
 
     def test_module_of_materialx(self):
         """Runs MDL's functions as C++."""
-        folder = packaged("materialx", self.folder / "materialx")
-        text = (folder / "libraries/gabor/genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
+        text = (materialx() / "genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
         text = re.sub(r"(?<![\w.])(\d+\.\d+(?:e-?\d+)?)(?![\w.])", r"\1f", re.sub(r">>> (\d+)", r">> Right{\1}", text))
         seeds = ["seed", *(f"int(gabor_derived_seed(seed,-{k}))" for k in (1, 2, 3))]
         cases = {"mx_gaborseed(seed,-2)": [seeds[2]]}
@@ -564,9 +582,9 @@ class ByHand(unittest.TestCase):
 
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
-        defined = {each.get("name"): each for each in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_defs.mtlx").iter("nodedef")}
+        defined = {each.get("name"): each for each in ElementTree.parse(materialx() / "gabor_defs.mtlx").iter("nodedef")}
         graphs = {}
-        for graph in ElementTree.parse(NODES / "materialx/libraries/gabor/gabor_ng.mtlx").getroot().iter("nodegraph"):
+        for graph in ElementTree.parse(materialx() / "gabor_ng.mtlx").getroot().iter("nodegraph"):
             nodes = {each.get("name"): each for each in graph}
 
             def value(put):

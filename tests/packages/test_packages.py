@@ -475,7 +475,9 @@ class MaterialX(Node):
                      for path in (mdl, *osl, *sources)}
         for source, made in zip(sources, osl):
             self.assertLessEqual(functions[source], functions[made] & functions[mdl])
-        return [str(path.relative_to(root)) for path in (mdl, *osl)]
+        documents = [library / f"gabor_{name}.mtlx" for name in ("defs", "ng")]
+        documents += [library / target / f"gabor_{target}_impl.mtlx" for target in ("genglsl", "genosl", "genmdl")]
+        return [str(path.relative_to(root)) for path in (mdl, *osl, *documents)]
 
     def test_library_is_valid(self):
         """Validates all files of the library as one document, since graphs name definitions of other files."""
@@ -500,6 +502,10 @@ class Osl(Node):
 class Unity(Node):
     place = "package"
     included = {"gabor_noise.hlsl": ["translations/gabor_noise.hlsl"]}
+
+    def made(self, root):
+        """Returns the names of the sub graphs, which tests/dialects/test_nodes.py checks."""
+        return ["Gabor Noise.shadersubgraph", "Gabor Stripes.shadersubgraph"]
 
     def test_each_file_has_an_id_of_its_own(self):
         """Checks the .meta files, since Unity ignores a package's files that have none."""
@@ -682,7 +688,7 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
         self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "nodes.py", "package", "translate", "version.py", "wgsl.py")),
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "nodes.py", "package", "translate", "unity.py", "version.py", "wgsl.py")),
                           "shaders/translations/gabor_vectors.hpp", *more))
         (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
@@ -694,7 +700,7 @@ class Repository(unittest.TestCase):
         """Also, a package is the same whenever it is built."""
         folder, base = "shaders/nodes/slang", "https://example.org/somebody/gabor"
         self.npm_with(f"{base}.git", "shaders/nodes/LICENSE", "shaders/translations/gabor_noise.hlsl", f"{folder}/gabor_noise.slang", f"{folder}/README.md",
-                      "shaders/nodes/unity/package.json", "shaders/nodes/unity/README.md")
+                      "shaders/nodes/unity/package.json", "shaders/nodes/unity/README.md", "shaders/nodes/unity/GaborNoise.hlsl.meta")
         text = "![seen](../../a.png) [page](../../../docs/b.md) [kept](gabor_noise.slang) [web](https://d) @VERSION@ @REPOSITORY@\n"
         (self.root / folder / "README.md").write_text(text)
         sums = []
