@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
             reply.xselection.selection = request.selection;
             reply.xselection.target = request.target;
             reply.xselection.property = request.property;
-            reply.xselection.time = request.evolution;
+            reply.xselection.time = request.time;
             XSendEvent(display, request.requestor, False, NoEventMask, &reply);
             XFlush(display);
         }
