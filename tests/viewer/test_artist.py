@@ -45,7 +45,7 @@ class Artist(EventsTest):
         self.assertGreater(normal[inside][:, 2].mean(), 200) # towards the eye
         self.assertGreater(np.abs(colour - pictures["torus"])[inside].mean(), 10)
         copied = (self.folder / "material.glsl").read_text()
-        for line in ("GaborBrushedMetal m = gabor_brushed_metal_default();", "m.contrast = 0.2", "m.colour = vec3(0.6, 0.4, 0.2",
+        for line in ("GaborBrushedMetal m = gabor_brushed_metal_default();", "m.streak_contrast = 0.2", "m.metal_colour = vec3(0.6, 0.4, 0.2",
                      "return gabor_brushed_metal_at(p, vec2(0.0), m, 0u);", "return srgb(here.material.colour);"):
             self.assertIn(line, copied)
 
