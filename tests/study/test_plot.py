@@ -152,10 +152,10 @@ class Performance(unittest.TestCase):
                                           {"name": one, "instructions": 400.0, "inverse_throughput": 600.0, "registers": 40}]}
         renders = [{"side": 4096, "wall": 1.234, "memory": 321}, {"side": 16384, "wall": 12.0, "memory": 400}]
         self.assertEqual(names["summary"](when, bench, isa, renders), """\
-| 1920 x 1080 values | GPU | lavapipe, 2 cores of X | AMD Navi 21, estimated |
+| 1920 x 1080 values | GPU | lavapipe, 2 cores of X | AMD Navi 21, per value, estimated |
 | --- | --- | --- | --- |
-| `gabor_noise` | 19 us | 10 ms | 525 cycles |
-| Perlin noise | 7 us | 4 ms |  |
+| `gabor_noise` | 19.5 us | 10.4 ms | 525 cycles |
+| Perlin noise | 7.5 us | 4.1 ms |  |
 | Gabor noise of 2009 | 581 us | 645 ms |  |
 """)
         self.assertEqual(names["generated"](when | {"load": 0.7}, bench, isa, renders), """\
