@@ -33,7 +33,7 @@ GaborTerrain GaborTerrain_of(float height, float2 slope, float ridge, float3 cur
 }
 
 struct GaborErosion {
-    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
+    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs two gabor_noise_gradient
     float gully_frequency; // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     float strength;        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4

@@ -22,7 +22,7 @@ struct GaborTerrain {
 }
 
 struct GaborErosion {
-    octaves: i32,         // octaves of gullies, 0 to 16, usually 0 to 10: each costs as much as gabor_noise_gradient
+    octaves: i32,         // octaves of gullies, 0 to 16, usually 0 to 10: each costs two gabor_noise_gradient
     gully_frequency: f32, // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     strength: f32,        // how far peaks and valleys move, times the gullies' frequency, 0 to 10, usually 0 to 0.5
     lacunarity: f32,      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4

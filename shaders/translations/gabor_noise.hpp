@@ -23,7 +23,7 @@
 //                  10^5, p has steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
-//                  of up to 8e-6 to the noise for each radian.
+//                  of up to 2.4e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
