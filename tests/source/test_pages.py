@@ -1,5 +1,6 @@
 """Checks README and docs: links have targets, code to paste compiles, scripts do what they say, and figures match their source page."""
 
+import json
 import pathlib
 import re
 import shutil
@@ -10,6 +11,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = [ROOT / name for name in subprocess.run(["git", "-C", str(ROOT), "ls-files", "*.md"], capture_output=True, text=True,
                                                 check=True).stdout.splitlines()]
+DEMO = ROOT / "docs" / "demo" / "index.html"
 README = (ROOT / "README.md").read_text()
 
 
@@ -62,12 +64,6 @@ class Pages(unittest.TestCase):
             self.compile("#version 450\n" * (kind == "glsl") + drop_ins + inputs + code + "void main() {}\n",
                          *["-D", "-e", "main"] * (kind == "hlsl"))
 
-    def test_the_scripts_of_pages(self):
-        if not shutil.which("node"):
-            self.skipTest("node is not installed")
-        result = subprocess.run(["node", pathlib.Path(__file__).with_name("page_scripts.mjs"), ROOT / "docs"], capture_output=True, text=True)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-
     def compile(self, code, *options):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             shader = pathlib.Path(folder) / "page.frag"
@@ -87,6 +83,57 @@ class Pages(unittest.TestCase):
         for name, gpu, cpu, cycles in rows:
             found = table[names.get(name, name)]
             self.assertEqual((round(found[0]), found[1:]), (int(gpu), (int(cpu), cycles)), name)
+
+
+@unittest.skipUnless(shutil.which("node"), "node is not installed")
+class Scripts(unittest.TestCase):
+    """Checks what needs no browser: tools/test-engines demo and benchmark run the scripts in browsers. Embedded shaders are those
+    that tools/translate --check wants."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+
+    def assert_runs(self, *command):
+        result = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+        self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr[-2000:])
+        return result.stdout
+
+    def assert_parses(self, name, code):
+        (self.folder / name).write_text(code)
+        self.assert_runs("node", "--check", self.folder / name)
+
+    def test_scripts_name_what_their_pages_have(self):
+        for page in (DEMO, ROOT / "docs" / "benchmark.html"):
+            text = page.read_text()
+            script = re.search(r"(?s)<script>\n(.*?)</script>", text)[1]
+            self.assert_parses("page.js", script)
+            ids = re.findall(r' id="([\w.]+)"', text.replace(script, ""))
+            self.assertEqual(len(ids), len(set(ids)))
+            named = set(re.findall(r'(?:\$\("#|getElementById\("|embedded\("|\btext\(")([\w.]+)"', script))
+            self.assertGreater(len(named), 5)
+            self.assertEqual(named - set(ids), set())
+        needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', DEMO.read_text())))
+        self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
+        json.loads(re.search(r'(?s) id="materials.json">\n(.*?)</script>', DEMO.read_text())[1])
+
+    def test_copied_code_compiles(self):
+        before = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+        shadertoy = "uniform vec3 iResolution;\nuniform float iTime;\nout vec4 shown;\n"
+        copies = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO))
+        shaders, modules = {}, {}
+        for what, language, code in copies:
+            if language == "Shadertoy":
+                shaders[f"{before}{shadertoy}{code}\nvoid main() {{ mainImage(shown, gl_FragCoord.xy); }}\n"] = what
+            elif language == "GLSL" and (what, "Shadertoy") not in [each[:2] for each in copies]:
+                shaders[f"{before}{code}\nvoid main() {{}}\n"] = what
+            elif language == "TSL":
+                modules[code] = what
+        self.assertGreater(min(len(shaders), 4 * len(modules)), 40)
+        for shader, what in shaders.items():
+            (self.folder / f"{what}.frag").write_text(shader)
+        self.assert_runs("glslangValidator", *self.folder.glob("*.frag"))
+        for code in modules:
+            self.assert_parses("module.mjs", code)
 
 
 if __name__ == "__main__":

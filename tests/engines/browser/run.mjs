@@ -78,7 +78,7 @@ try {
         throw new Error(`the page's grey values should have a standard deviation of 0.24, but it is ${shown}`);
     if (scripts.length) { // checks the page at a phone's size
         await tab.setViewport({ width: 390, height: 844 });
-        await new Promise(resolve => setTimeout(resolve, 1000));
+        await tab.waitForFunction(() => document.documentElement.clientWidth === 390);
         const wide = await tab.evaluate(() => [...document.querySelectorAll("body *")]
             .filter(each => each.checkVisibility() && each.tabIndex >= 0 && !each.closest("[role=tablist], pre"))
             .filter(each => each.getBoundingClientRect().left < -1 || each.getBoundingClientRect().right > innerWidth + 1)

@@ -9,7 +9,6 @@ const VALUES = {
     terrain: "vec3(m.height + m.ridge, m.slope)",
 };
 const STEP = 6 / 1024; // of the land's map, on a small screen
-const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 
 function open(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, bare: "", ...settings }));
@@ -40,10 +39,12 @@ async function drawn() {
         drawTab(1000 * TIME);
         return pixelsOf(gl, view.width, view.height); // waits, so that draws do not queue up
     };
-    const known = programs.size;
+    const known = programs.size, shows = new MutationObserver(() => {});
+    shows.observe(message, { attributeFilter: ["hidden"], attributeOldValue: true });
     once();
-    if (tab().sea && programs.size > known && message.hidden)
+    if (programs.size > known && !shows.takeRecords().some(({ oldValue }) => oldValue !== null)) // even if it is hidden again by now
         throw new Error("the page does not say that it compiles");
+    shows.disconnect();
     for (; !message.hidden; once())
         await pause(50);
     return once();
@@ -234,13 +235,13 @@ globalThis.drawn = (async () => {
     open("sea", { moving: true });
     if (!textIn("Shadertoy").includes("int(iTime)"))
         throw new Error("sea: copied waves do not move");
+    await usePage(() => pixelsOf(gl, view.width, view.height));
     resize(...size);
     open("noise", { look: "plain", frequency: 4, orientation: 45, seed: 7, taps: 3 });
     const text = textIn("Shadertoy") // with the pixels of the reference: p = pixel / 32, y upwards
         .replace(/vec2 p = vec2\(x, y\).*;/, "vec2 p = pixel / 32.0;");
     asked = false;
     changed();
-    await pause(500); // until the page draws at full resolution
-    await new Promise(requestAnimationFrame);
+    await until(() => !moving && !asked && element("compiling").hidden, "draws at full resolution");
     return { engine: `live page, ${navigator.userAgent.includes("Firefox") ? "Firefox" : "Chromium"}`, dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();

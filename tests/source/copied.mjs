@@ -1,0 +1,40 @@
+// Prints as JSON what the demo page copies for each tab and each option: [what, language, code]. Elements are stand-ins that do
+// nothing: tools/test-engines demo uses the page in browsers.
+//   copied.mjs DOCS/demo/index.html
+
+import { readFileSync } from "node:fs";
+import vm from "node:vm";
+
+const html = readFileSync(process.argv[2], "utf8");
+const texts = Object.fromEntries([...html.matchAll(/<script type="text\/plain" id="(.*?)">\n([^]*?)<\/script>/g)].map(each => each.slice(1)));
+const nothing = new Proxy(function () {}, {
+    get: (_, name) => name === Symbol.iterator ? () => [].values() : name === Symbol.toPrimitive ? () => 0 : nothing,
+    set: () => true, apply: () => nothing, construct: () => nothing,
+});
+const names = "addEventListener requestAnimationFrame setTimeout clearTimeout getComputedStyle history matchMedia ImageData Option".split(" ");
+const scope = { ...Object.fromEntries(names.map(name => [name, nothing])), URLSearchParams, location: { hash: "" }, devicePixelRatio: 1, innerWidth: 900, innerHeight: 600,
+                document: { querySelector: () => nothing, querySelectorAll: () => nothing, createElement: () => nothing,
+                            getElementById: name => ({ textContent: texts[name] }) } };
+const copies = `;(() => {
+    const copies = [];
+    const copy = what => languages().forEach(each => { state.language = each; copies.push([what, each, copied()]); });
+    for (const name of Object.keys(TABS)) {
+        showTab(name);
+        copy(name);
+        for (const control of tab().controls.filter(each => each.options || each.check)) {
+            // Of the presets, one for each material.
+            const options = control.check ? [true] : control.options.filter((each, i, all) => control.name !== "preset"
+                || all.findIndex(other => MATERIALS.presets[other].material === MATERIALS.presets[each].material) === i);
+            for (const option of options) {
+                const before = { ...values() };
+                values()[control.name] = option;
+                if (control.name === "preset")
+                    usePreset();
+                copy(name + ", " + control.name + " " + option);
+                Object.assign(values(), before);
+            }
+        }
+    }
+    return JSON.stringify(copies);
+})()`;
+console.log(vm.runInNewContext(html.match(/<script>\n([^]*?)<\/script>/)[1] + copies, scope));
