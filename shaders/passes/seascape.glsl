@@ -18,16 +18,23 @@ Sea sea_of(GaborOcean ocean, uint seed, int second, float fraction, vec2 sun) {
     return Sea(ocean, seed, second, fraction, toward, sqrt(variance));
 }
 
+vec3 glow_of(vec3 sun) {
+    return mix(vec3(1.0, 0.42, 0.13), vec3(1.0, 0.8, 0.55), smoothstep(-0.02, 0.35, sun.y));
+}
+
 // The light of a clear sky, which is redder when the sun is low.
 vec3 sky_of(vec3 sun, vec3 ray) {
     float up = max(ray.y, 0.0), toward = max(dot(ray, sun), 0.0), day = smoothstep(-0.02, 0.35, sun.y);
-    vec3 glow = mix(vec3(1.0, 0.42, 0.13), vec3(1.0, 0.8, 0.55), day);
     vec3 light = mix(mix(vec3(0.42, 0.4, 0.42), vec3(0.58, 0.68, 0.76), day), mix(vec3(0.09, 0.15, 0.32), vec3(0.11, 0.27, 0.56), day),
                      1.0 - exp(-4.0 * up));
-    // The edge of the sun's disc is as narrow as some hundred steps of `toward`, so it needs 1 - toward without rounding.
+    return light + glow_of(sun) * (0.3 * pow(toward, 8.0) * exp(-2.0 * up) + 0.35 * pow(toward, 90.0));
+}
+
+// The sky with the sun's disc. The disc's edge is only some hundred roundings of a scalar product wide, so it comes from
+// 1 - cos a = |ray - sun|^2 / 2.
+vec3 sky_and_sun(vec3 sun, vec3 ray) {
     vec3 between = ray - sun;
-    float disc = 1.0 - smoothstep(3.0e-5, 1.5e-4, 0.5 * dot(between, between));
-    return light + glow * (0.3 * pow(toward, 8.0) * exp(-2.0 * up) + 0.35 * pow(toward, 90.0) + 20.0 * disc);
+    return sky_of(sun, ray) + 20.0 * (1.0 - smoothstep(3.0e-5, 1.5e-4, 0.5 * dot(between, between))) * glow_of(sun);
 }
 
 // The water that was at rest at a place near x, where `shift` is that of the water at x or of water near it.
@@ -68,7 +75,7 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * spread)) / (1.0 + 22.7 * pow(spread, 1.5));
     vec3 mirror = ray - 2.0 * dot(normal, ray) * normal;
     mirror.y = abs(mirror.y) + spread; // rough water reflects higher parts of the sky
-    vec3 raised = sea.sun + vec3(0.0, 0.2, 0.0); // made shorter than 1, because the sun itself is in `glitter`
+    vec3 raised = sea.sun + vec3(0.0, 0.2, 0.0); // made shorter than 1: its brightest glow is in `glitter`
     vec3 sky = sky_of(raised * min(0.9, 0.99 * inversesqrt(dot(raised, raised))), normalize(mirror));
     vec3 middle = normalize(sea.sun - ray); // facets with this normal reflect the sun
     vec2 apart = -middle.xz / max(middle.y, 0.01) - slope, c = w.lost.xy + 2.0e-5;
@@ -137,7 +144,7 @@ struct SeaHit {
 // The sea or the sky along a ray. Raises an eye that is too low.
 SeaHit seen_at_sea(Sea sea, vec3 eye, vec3 ray, float wide) {
     eye.y = max(eye.y, 3.0 * sea.high);
-    SeaHit hit = SeaHit(GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0)), 0.0, vec3(0.0), sky_of(sea.sun, ray));
+    SeaHit hit = SeaHit(GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0)), 0.0, vec3(0.0), sky_and_sun(sea.sun, ray));
     if (ray.y > -1.0e-4) return hit;
     vec2 shift;
     float t = distance_to_water(sea, eye, ray, wide, shift);
