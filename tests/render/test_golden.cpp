@@ -110,7 +110,7 @@ double sensitivity(const std::string& call, std::size_t point, bool fused) {
     if ((has("3d") || has("surface")) && point % 16 == 1) // the highest frequencies
         return 4;
     // Phases of small values and sums of many waves are more sensitive.
-    return has("phasor") || has("SPREAD") || has("isotropic") ? 4 : 1;
+    return has("turns_intensity") || has("SPREAD") || has("isotropic") ? 4 : 1;
 }
 
 void check(std::span<const Set> sets) {
