@@ -13,7 +13,7 @@
 
 namespace gabor {
 
-/// Returns the text with small letters.
+/// Returns the text in lower case.
 inline std::string lower(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(),

@@ -261,8 +261,8 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, 
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
-// standard deviation of its ends.
+// A node's filtered window along an axis: its value is middle + cosine, its derivative sine. The window fades out
+// within half a standard deviation of its ends.
 struct GaborImplFilteredNode {
     float offset; // offset of the point from the node
     float middle;

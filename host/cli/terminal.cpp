@@ -19,8 +19,8 @@ volatile std::sig_atomic_t noted = 0;
 // How long a signalled program may take to clean up.
 constexpr unsigned patience = 1; // seconds
 
-// Ends a program that still waits, for example, for a driver that compiles. Only calls what signal handlers
-// may. Files that are not complete have no name yet, or a hidden one that the next run removes.
+// Ends a program that is still waiting, for example for a driver to compile a shader. Calls only what a
+// signal handler may call. Incomplete files have no name yet, or a hidden one that the next run removes.
 void end(int) {
     constexpr std::string_view clear = "\r\x1b[K", text = ": interrupted; no half-written file was kept\n";
     const std::string_view name = program_invocation_short_name;

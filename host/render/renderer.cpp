@@ -13,7 +13,7 @@ namespace gabor::render {
 namespace {
 
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
-// Bands are cut so that the device takes about this long for each: a sink that throws ends the work soon.
+// The device takes about this long for each band, so that the work ends soon after a sink throws.
 constexpr double band_seconds = 0.1;
 constexpr int first_pixels = 1 << 14;      // of the first band, whose cost is unknown
 constexpr double most_growth = 4;          // from one band to the next

@@ -525,7 +525,7 @@ float gabor_impl_transmitted_isotropic_2d(float frequency, float3 covariance) {
     return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * rsqrt(d);
 }
 
-// A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
+// A node's filtered window along both axes: its value is middle + cosine, its derivative sine.
 struct GaborImplWindows {
     float2 middle;
     float2 cosine;

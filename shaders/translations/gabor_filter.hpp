@@ -500,7 +500,7 @@ GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_ve
     return gabor_cpp_exp(-gabor_cpp_clamp(unit * smaller, 0.0f, 80.0f)) * gabor_impl_mean_angle(gabor_cpp_min(unit * apart, 1.0e8f)) * gabor_cpp_inversesqrt(d);
 }
 
-// A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
+// A node's filtered window along both axes: its value is middle + cosine, its derivative sine.
 struct GaborImplWindows {
     gabor_vec2 middle;
     gabor_vec2 cosine;

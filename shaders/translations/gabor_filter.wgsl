@@ -488,7 +488,7 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3f) -> f32
     return exp(-clamp(unit * smaller, 0.0, 80.0)) * gabor_impl_mean_angle(min(unit * apart, 1.0e8)) * inverseSqrt(d);
 }
 
-// A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
+// A node's filtered window along both axes: its value is middle + cosine, its derivative sine.
 struct GaborImplWindows {
     middle: vec2f,
     cosine: vec2f,

@@ -261,8 +261,8 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, norma
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
-// A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a
-// standard deviation of its ends.
+// A node's filtered window along an axis: its value is middle + cosine, its derivative sine. The window fades out
+// within half a standard deviation of its ends.
 struct GaborImplFilteredNode {
     offset: f32, // offset of the point from the node
     middle: f32,
