@@ -1,4 +1,4 @@
-// webgl_noise.glsl: snoise, cnoise and pnoise, the functions of webgl-noise, by Gabor noise, for shaders that call them.
+// webgl_noise.glsl: snoise, cnoise and pnoise of webgl-noise, by Gabor noise, for shaders that call them.
 //
 // Delete the shader's own snoise, cnoise and pnoise, and paste this file after gabor_noise.glsl and gabor_fractal.glsl.
 //
