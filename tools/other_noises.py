@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -59,6 +60,8 @@ def install():
     """Installs the packages, once."""
     python = FOLDER / "venv" / "bin" / "python"
     if not (FOLDER / "node_modules").exists():
+        if not shutil.which("npm"):
+            sys.exit("gallery: pictures of other noises need npm, pip and the network")
         FOLDER.mkdir(parents=True, exist_ok=True)
         subprocess.run([sys.executable, "-m", "venv", FOLDER / "venv"], check=True)
         subprocess.run([python, "-m", "pip", "install", "-q", "--disable-pip-version-check", "numpy", *PYTHON], check=True)
