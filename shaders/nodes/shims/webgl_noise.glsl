@@ -7,7 +7,7 @@
 //     float pnoise(vec2 P, vec2 rep), float pnoise(vec3 P, vec3 rep)
 //         for Perlin noise that repeats after rep cells along each axis; an axis with rep 0 does not repeat
 //
-// Their size, deviation and mean are those of webgl-noise as most shaders copy it, that of 2011 to 2020. What differs:
+// Their size, deviation and mean are those of the webgl-noise of 2011 to 2020, as in npm's glsl-noise. What differs:
 //     pattern  another one, the same at every place for the same call; it does not repeat after 289 cells
 //     values   normally distributed, with no bound: |snoise(vec2)| exceeds 1 at 3.4 % of all places, snoise(vec3) at
 //              0.7 %, cnoise at 0.3 and 0.1 %. Clamp what must stay in -1 to 1.
