@@ -95,7 +95,7 @@ def made(shader, in_wgsl):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
     before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
+    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}

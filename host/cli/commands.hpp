@@ -3,8 +3,8 @@
 // The subcommands of gabor, and functions for adding and reading their options.
 
 #include "error.hpp"
-#include "render/heightmap.hpp"
-#include "render/parameters.hpp"
+#include "render/output/heightmap.hpp"
+#include "render/request/parameters.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 #include "image/exr.hpp"
 #include "image/picture.hpp"
 #include "names.hpp"
-#include "render/erosion.hpp"
-#include "render/file.hpp"
-#include "render/load.hpp"
+#include "render/output/erosion.hpp"
+#include "render/output/file.hpp"
+#include "render/request/load.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
-#include "render/texture.hpp"
+#include "render/output/texture.hpp"
 
 #include <filesystem>
 #include <memory>

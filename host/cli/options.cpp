@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 
-#include "render/load.hpp"
-#include "render/material.hpp"
+#include "render/request/load.hpp"
+#include "render/request/material.hpp"
 
 #include <fmt/ranges.h>
 

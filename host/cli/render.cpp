@@ -1,10 +1,10 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
-#include "render/file.hpp"
-#include "render/load.hpp"
-#include "render/maps.hpp"
-#include "render/texture.hpp"
+#include "render/output/file.hpp"
+#include "render/output/maps.hpp"
+#include "render/output/texture.hpp"
+#include "render/request/load.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>

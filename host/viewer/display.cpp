@@ -1,8 +1,8 @@
 #include "viewer/display.hpp"
 
 #include "noise/spectrum.hpp"
-#include "render/file.hpp"
-#include "render/renderer.hpp"
+#include "render/output/file.hpp"
+#include "render/output/renderer.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "viewer/document.hpp"
 
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 #include "viewer/document_json.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/camera.hpp"
-#include "render/parameters.hpp"
+#include "render/plan/camera.hpp"
+#include "render/request/parameters.hpp"
 
 #include <array>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "viewer/panels.hpp"
 
 #include "image/picture.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 #include "viewer/embedded.hpp"
 
 #include <fmt/format.h>

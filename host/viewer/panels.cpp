@@ -1,8 +1,8 @@
 #include "viewer/panels.hpp"
 
 #include "image/exr.hpp"
-#include "render/file.hpp"
-#include "render/load.hpp"
+#include "render/output/file.hpp"
+#include "render/request/load.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
 

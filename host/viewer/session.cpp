@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 #include "image/output_file.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

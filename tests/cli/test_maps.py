@@ -181,7 +181,7 @@ class Maps(RenderTest):
         self.assertEqual(described("--material=wood", "--size=64"), (64, 64, True, 16))
         self.assertEqual(described("--material=wood", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
         self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
-        width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
+        width, height, scale = (json.loads((ROOT / "host/render/request/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
         for size in ((64, 32), (32, 64)):
             self.assertEqual(described("--preset=walnut", f"--size={size[0]}x{size[1]}"), (*size, True, scale * 32 / min(width, height)))
         self.assertEqual(described("--preset=hills", "--size=64x32"), (64, 32, True, 8))  # its shorter side is the least

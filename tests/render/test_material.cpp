@@ -11,10 +11,10 @@
 
 #include "golden/file.hpp"
 #include "largest.hpp"
-#include "render/load.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/load.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 #include <catch2/catch.hpp>

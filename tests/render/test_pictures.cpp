@@ -4,8 +4,8 @@
 #include "largest.hpp"
 #include "reference/reference.hpp"
 #include "reference/sum.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Tests how requests become plans, which are plain values and need no device.
 
-#include "render/erosion.hpp"
-#include "render/maps.hpp"
-#include "render/material.hpp"
-#include "render/plan_parts.hpp"
+#include "render/output/erosion.hpp"
+#include "render/output/maps.hpp"
+#include "render/plan/plan_parts.hpp"
+#include "render/request/material.hpp"
 #include "set_text.hpp"
 
 #include "passes/bake_interface.h"

@@ -1,7 +1,7 @@
 #include "error.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 #include "set_text.hpp"
 
 #include <catch2/catch.hpp>

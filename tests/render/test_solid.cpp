@@ -11,8 +11,8 @@
 
 #include "largest.hpp"
 #include "reference/vector.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

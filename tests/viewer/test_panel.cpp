@@ -7,7 +7,7 @@
 
 #include "../image/scratch_folder.hpp"
 #include "image/png.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 
 #include <GLFW/glfw3.h>
 #include <catch2/catch.hpp>

@@ -8,8 +8,8 @@
 
 #include "error.hpp"
 #include "noise/recipe.hpp"
-#include "render/load.hpp"
-#include "render/parameters.hpp"
+#include "render/request/load.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
-#include "render/erosion.hpp"
+#include "render/output/erosion.hpp"
 
 #include "error.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/plan_parts.hpp"
+#include "render/plan/plan_parts.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include "passes/erode_interface.h"
 

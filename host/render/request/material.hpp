@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 
 #include "passes/channels.h"
 

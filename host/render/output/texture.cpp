@@ -1,8 +1,8 @@
-#include "render/texture.hpp"
+#include "render/output/texture.hpp"
 
 #include "error.hpp"
 #include "image/exr.hpp"
-#include "render/parameters.hpp"
+#include "render/request/parameters.hpp"
 
 #include <fmt/format.h>
 

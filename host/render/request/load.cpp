@@ -1,9 +1,9 @@
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 
 #include "error.hpp"
 #include "image/picture.hpp"
 #include "names.hpp"
-#include "render/parameters.hpp"
+#include "render/request/parameters.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "error.hpp"
-#include "render/parameters.hpp"
+#include "render/request/parameters.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

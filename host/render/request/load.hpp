@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/exr.hpp"
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 
 #include <optional>
 #include <span>
@@ -23,7 +23,7 @@ Loaded load_request(const std::string& path);
 /// file.
 std::vector<noise::Lobe> load_lobes(const std::string& path);
 
-/// A preset shipped with the program: a file in host/render/presets.
+/// A preset shipped with the program: a file in host/render/request/presets.
 struct Preset {
     std::string_view name;
     std::string_view json;

@@ -1,6 +1,8 @@
-#include "noise/variance.hpp"
+#include "render/plan/variance.hpp"
+
 #include "noise/spectrum.hpp"
-#include "render/camera.hpp"
+#include "noise/variance.hpp"
+#include "render/plan/camera.hpp"
 
 #include <algorithm>
 #include <array>

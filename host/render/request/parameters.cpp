@@ -1,8 +1,8 @@
-#include "render/parameters.hpp"
+#include "render/request/parameters.hpp"
 
 #include "error.hpp"
 #include "names.hpp"
-#include "render/material.hpp"
+#include "render/request/material.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -413,7 +413,7 @@ struct StructRow {
 };
 
 constexpr StructRow of_structs[]{
-#include "render/struct_rows.inc"
+#include "render/request/struct_rows.inc"
 };
 
 Place in_look(const StructRow& made) {

@@ -86,10 +86,10 @@ using View = std::variant<Plane, Horizon, Slice, Body, Terrain, Sea>;
 /// The value of `material` that draws the noise itself.
 constexpr std::string_view no_material = "none";
 
-/// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
-/// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above
-/// that, the error grows with the frequency; with the sine kernels of `paper`, it also grows as the frequency
-/// falls below 0.1.
+/// Everything that decides the pixels of a picture. render/request/parameters.hpp has the table of names,
+/// units, ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4.
+/// Above that, the error grows with the frequency; with the sine kernels of `paper`, it also grows as the
+/// frequency falls below 0.1.
 struct Request {
     int width = 1024;  ///< pixels
     int height = 1024; ///< pixels
@@ -99,7 +99,7 @@ struct Request {
     std::uint32_t seed = 0;
     double evolution = 0; ///< of the noise in place, which repeats after 1; see Sea::seconds
     View view = Plane();
-    std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
+    std::string material{no_material}; ///< drawn in place of the noise; see render/request/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
                                                                  ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
@@ -204,9 +204,5 @@ constexpr bool is_isotropic(const noise::Lobe& lobe) {
 /// channel, `A`, is the covered share of the pixel. If `normals` is set, a body also has normal.x, normal.y,
 /// normal.z and gradient.z before `A`, where x points right in the picture, y down and z towards the eye.
 std::vector<std::string> channels(const Request& request, bool normals = false);
-
-/// The theoretical variance of a channel that is normally distributed around 0. Returns nothing if the
-/// channel is not normal, or if its variance differs between pixels or has no closed form here.
-std::optional<double> known_variance(const Request& request, std::string_view channel);
 
 } // namespace gabor::render

@@ -1,4 +1,4 @@
-#include "render/heightmap.hpp"
+#include "render/output/heightmap.hpp"
 
 #include "error.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/exr.hpp"
-#include "render/camera.hpp"
-#include "render/load.hpp"
+#include "render/plan/camera.hpp"
+#include "render/request/load.hpp"
 
 #include "passes/constants.h"
 

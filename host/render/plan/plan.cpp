@@ -1,7 +1,7 @@
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
 
-#include "render/material.hpp"
-#include "render/plan_parts.hpp"
+#include "render/plan/plan_parts.hpp"
+#include "render/request/material.hpp"
 
 #include "passes/line.h"
 #include "passes/material_interface.h"

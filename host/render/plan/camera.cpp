@@ -1,4 +1,4 @@
-#include "render/camera.hpp"
+#include "render/plan/camera.hpp"
 
 #include <cmath>
 

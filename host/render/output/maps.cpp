@@ -1,12 +1,12 @@
-#include "render/maps.hpp"
+#include "render/output/maps.hpp"
 
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "image/png.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/texture.hpp"
+#include "render/output/texture.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 // Shared by plan.cpp, bake.cpp, erosion.cpp and ocean.cpp.
 
 #include "noise/spectrum.hpp"
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
 #include "vulkan/pass.hpp"
 
 #include "passes/bake_interface.h"

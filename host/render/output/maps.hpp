@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/exr.hpp"
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 #include "vulkan/device.hpp"
 
 #include <filesystem>
@@ -27,7 +27,7 @@ struct MapFormat {
 };
 
 /// The fmt templates of material.mtlx, material.gltf, which shows a rectangle, and material.json. Their files
-/// are in host/render/scenes.
+/// are in host/render/output/scenes.
 extern const std::string_view materialx_template, gltf_template, json_template;
 
 /// Tells whether the request has maps: a material in the plane, or terrain from above.

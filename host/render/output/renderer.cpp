@@ -1,4 +1,4 @@
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include "passes/pictures.h"
 #include "seconds.hpp"

@@ -2,7 +2,7 @@
 
 #include "image/exr.hpp"
 #include "image/picture.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include "passes/channels.h"
 

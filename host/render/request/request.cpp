@@ -1,7 +1,7 @@
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 
-#include "render/material.hpp"
-#include "render/parameters.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include <algorithm>
 #include <array>

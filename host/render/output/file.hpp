@@ -1,8 +1,8 @@
 #pragma once
 
 #include "image/exr.hpp"
-#include "render/heightmap.hpp"
-#include "render/renderer.hpp"
+#include "render/output/heightmap.hpp"
+#include "render/output/renderer.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,9 +1,9 @@
-#include "render/file.hpp"
+#include "render/output/file.hpp"
 
 #include "error.hpp"
 #include "image/png.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include <fmt/format.h>
 

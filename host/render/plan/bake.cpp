@@ -1,5 +1,5 @@
 #include "noise/variance.hpp"
-#include "render/plan_parts.hpp"
+#include "render/plan/plan_parts.hpp"
 
 #include <cmath>
 #include <numbers>

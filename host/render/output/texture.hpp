@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/file.hpp"
+#include "render/output/file.hpp"
 
 #include <filesystem>
 #include <span>
