@@ -60,7 +60,7 @@ def struct_rows(*trees):
     lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
     for option, kind, *numbers, about in parameters(*trees):
         braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in numbers)
-        lines.append(f'{{"{option}", Kind::{kind}, {", ".join(braced)}, "{about}"}},')
+        lines.append(f'{{"{option}", Type::{kind}, {", ".join(braced)}, "{about}"}},')
     return "\n".join(lines) + "\n"
 
 

@@ -32,7 +32,8 @@ constexpr render::Elevation typical_elevation{0, 1000};
 
 std::vector<std::string_view> terrain_presets() {
     std::vector<std::string_view> names = render::preset_names();
-    std::erase_if(names, [](std::string_view name) { return !render::has_terrain(render::preset(name)); });
+    std::erase_if(names,
+                  [](std::string_view name) { return render::preset(name).kind != render::Kind::terrain; });
     return names;
 }
 

@@ -80,11 +80,10 @@ Work make_work(const RenderOptions& options) {
     render::set(work.request, given, render::option_name);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (render::has_terrain(work.request) && !work.scaled) // show two hills
+    if (work.request.kind == render::Kind::terrain && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     // Mip levels are filtered. Terrain, which has no filter, is refused below.
-    work.request.filter |= (options.texture || options.level) && !render::has_terrain(work.request) &&
-                           !render::has_sea(work.request);
+    work.request.filter |= (options.texture || options.level) && render::is_pattern(work.request.kind);
     render::check(work.request);
     if (options.level) {
         const image::Rect whole{0, 0, work.request.width, work.request.height};
@@ -106,7 +105,8 @@ Work make_work(const RenderOptions& options) {
 }
 
 void warn_above_nyquist(const render::Request& request) {
-    if (request.filter || !std::holds_alternative<render::Plane>(request.view) || !request.paint.empty())
+    if (request.filter || request.kind != render::Kind::noise ||
+        request.view.projection != render::Projection::flat || !request.paint.empty())
         return;
     double highest = 0;
     for (const noise::Lobe& lobe : request.lobes) {
@@ -185,10 +185,17 @@ void check_channels(const RenderOptions& options, const render::Files& files) {
 
 // What was drawn, as in "material wood".
 std::string subject(const render::Request& request) {
-    return render::has_terrain(request)    ? "terrain"
-           : render::has_sea(request)      ? "ocean"
-           : render::has_material(request) ? "material " + request.material
-                                           : fmt::format("recipe {}", render::drawing_recipe(request).name);
+    switch (request.kind) {
+    case render::Kind::terrain:
+        return "terrain";
+    case render::Kind::sea:
+        return "ocean";
+    case render::Kind::material:
+        return "material " + request.material;
+    case render::Kind::noise:
+        break;
+    }
+    return fmt::format("recipe {}", render::drawing_recipe(request).name);
 }
 
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
@@ -218,7 +225,7 @@ void render_map_set(const RenderOptions& options) {
         request.width = request.height = render::map_side;
     if (options.preset && !gives("scale")) // as much as the preset's picture shows
         request.scale *= static_cast<double>(std::min(request.width, request.height)) / work.side;
-    const bool terrain = render::has_terrain(request);
+    const bool terrain = request.kind == render::Kind::terrain;
     if (!work.scaled)
         request.scale = std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0));
     if (!options.like && !gives("tileable"))

@@ -311,9 +311,9 @@ bool App::frame(const FrameHook& hook) {
         return false;
     const ImGuiIO& io = ImGui::GetIO();
     render::Request& request = session_.document().request;
-    if (session_.playing && render::has_sea(request)) {
+    if (session_.playing && request.kind == render::Kind::sea) {
         time_of(request) += double{io.DeltaTime};
-    } else if (session_.playing && !render::has_material(request)) {
+    } else if (session_.playing && request.kind == render::Kind::noise) {
         request.evolution += double{io.DeltaTime} / double{session_.period};
         request.evolution -= std::floor(request.evolution);
     }

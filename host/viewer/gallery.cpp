@@ -33,7 +33,7 @@ std::vector<Group> grouped_presets() {
     std::vector<std::string> kinds;
     for (const std::string_view name : render::preset_names()) {
         const render::Request request = render::preset(name);
-        const char* const kind = request.material == render::no_material ? "view" : "material";
+        const char* const kind = request.kind != render::Kind::material ? "view" : "material";
         kinds.push_back(std::get<std::string>(*render::parameter(kind).get(request)));
     }
     for (Group& group : groups)

@@ -37,34 +37,34 @@ std::string help_of(const render::Parameter& parameter) {
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
 
-// Draws the control that suits a parameter's kind, and returns the value if it was changed.
+// Draws the control that suits a parameter's type, and returns the value if it was changed.
 std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
                                   const render::Request& request) {
-    using Kind = render::Parameter::Kind;
+    using Type = render::Parameter::Type;
     const std::string label = label_of(parameter.name);
-    switch (parameter.kind) {
-    case Kind::flag: {
+    switch (parameter.type) {
+    case Type::flag: {
         bool on = std::get<bool>(value);
         return ImGui::Checkbox(label.c_str(), &on) ? std::optional<render::Value>(on) : std::nullopt;
     }
-    case Kind::integer: {
+    case Type::integer: {
         auto number = static_cast<std::uint32_t>(std::get<double>(value));
         const std::uint32_t step = 1;
         if (!ImGui::InputScalar(label.c_str(), ImGuiDataType_U32, &number, &step))
             return {};
         return std::clamp(static_cast<double>(number), parameter.range.low, parameter.range.high);
     }
-    case Kind::number:
-    case Kind::angle: {
+    case Type::number:
+    case Type::angle: {
         double number = std::get<double>(value);
-        if (parameter.kind == Kind::angle && parameter.slider.high == 180) // the slider covers a full circle
+        if (parameter.type == Type::angle && parameter.slider.high == 180) // the slider covers a full circle
             number = std::remainder(number, 360);
         if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
                            std::get<double>(*render::default_of(parameter, request))))
             return {};
         return number;
     }
-    case Kind::choice: {
+    case Type::choice: {
         std::optional<render::Value> chosen;
         const std::string& now = std::get<std::string>(value);
         if (ImGui::BeginCombo(label.c_str(), now.c_str())) {
@@ -78,13 +78,13 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         }
         return chosen;
     }
-    case Kind::text: {
+    case Type::text: {
         std::string text = std::get<std::string>(value);
         if (ImGui::InputText(label.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue))
             return text;
         return {};
     }
-    case Kind::colour: { // shown as sRGB, like all colours
+    case Type::colour: { // shown as sRGB, like all colours
         std::array<float, 3> shown{};
         const auto& colour = std::get<std::array<double, 3>>(value);
         std::ranges::transform(colour, shown.begin(),
@@ -93,7 +93,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
             return {};
         return render::read(parameter, hex(shown));
     }
-    case Kind::lobes: // spectrum_panel edits these
+    case Type::lobes: // spectrum_panel edits these
         break;
     }
     return {};
@@ -260,7 +260,7 @@ void animation_panel(Session& session) {
 
 void view_panel(Session& session) {
     Document& document = session.document();
-    if (render::has_material(document.request))
+    if (render::is_surface(document.request.kind))
         choose("show", document.look, looks(document.request), look_tips);
     else
         choose("show", document.output, output_names, output_tips);
@@ -288,7 +288,7 @@ void view_panel(Session& session) {
 
 void light_panel(Session& session) {
     render::Request& request = session.document().request;
-    if (!render::has_terrain(request) && !render::has_sea(request))
+    if (render::is_pattern(request.kind))
         choose("environment", request.environment, render::environments, environment_tips);
     for (auto [name, angle] : {std::pair("light_azimuth", &render::Request::light_azimuth),
                                std::pair("light_elevation", &render::Request::light_elevation)}) {
@@ -362,8 +362,9 @@ void export_panel(Session& session) {
         slider("frames", frames, 2, 240, "%.0f");
         target.frames = std::clamp(static_cast<int>(frames), 1, render::most_frames);
     }
-    if (as == ExportAs::maps && render::has_material(request)) {
-        if (!render::has_terrain(request)) {
+    const bool surface = render::is_surface(request.kind);
+    if (as == ExportAs::maps && surface) {
+        if (request.kind == render::Kind::material) {
             ImGui::InputDouble("metres", &target.metres, 0, 0, "%g");
             target.metres = std::clamp(target.metres, 1e-6, 1e9);
             tooltip("The width of the maps in metres, which also scales their heights");
@@ -372,7 +373,7 @@ void export_panel(Session& session) {
         tooltip("Also write normal_directx.png, whose green points down");
     }
     if (as == ExportAs::maps) {
-        if (render::has_material(request))
+        if (surface)
             ImGui::SameLine();
         ImGui::Checkbox("tileable##maps", &target.tileable);
         tooltip("Opposite edges match");
@@ -435,7 +436,7 @@ void start_buttons(Session& session) {
 void side_panel(Session& session) {
     start_buttons(session);
     const render::Request& request = session.document().request;
-    const bool noise = !render::has_material(request), material = request.material != render::no_material;
+    const auto shows = [kind = request.kind](render::Kind other) { return kind == other; };
     struct Section {
         const char* title;
         void (*panel)(Session&);
@@ -447,12 +448,12 @@ void side_panel(Session& session) {
                 [](Session& s) {
                     controls(s, {"material", "scale", "seed"});
                 },
-                true, noise},
-        Section{"Material", material_panel, true, material},
-        Section{"Terrain", terrain_panel, true, render::has_terrain(request)},
-        Section{"Ocean", ocean_panel, true, render::has_sea(request)},
+                true, shows(render::Kind::noise)},
+        Section{"Material", material_panel, true, shows(render::Kind::material)},
+        Section{"Terrain", terrain_panel, true, shows(render::Kind::terrain)},
+        Section{"Ocean", ocean_panel, true, shows(render::Kind::sea)},
         Section{"Photograph", photograph_panel, true, !session.fitter.path().empty()},
-        Section{"Spectrum", waves_panel, true, noise},
+        Section{"Spectrum", waves_panel, true, shows(render::Kind::noise)},
         Section{"View", view_panel, true},
         Section{"Light", light_panel, true, is_lit(session.document())},
         Section{"Animation", animation_panel, false, has_effect(session.document(), "animation")},

@@ -17,7 +17,7 @@ namespace {
 
 // Returns the number of channels in the PNG: 1 or 3.
 int displayed_channels(const Request& request) {
-    return has_material(request) || request.colour ? 3 : 1;
+    return is_surface(request.kind) || request.colour ? 3 : 1;
 }
 
 // Converts pixels to what a PNG shows, as values from 0 to 1: grey noise, colours from three noises or a
@@ -25,13 +25,13 @@ int displayed_channels(const Request& request) {
 void to_display(const Request& request, std::span<const float> values, std::vector<float>& shown) {
     const std::size_t channels = render::channels(request).size();
     const auto kept = static_cast<std::size_t>(displayed_channels(request));
-    const std::size_t first = has_material(request) ? passes::material_lit : 0;
+    const std::size_t first = is_surface(request.kind) ? passes::material_lit : 0;
     shown.clear();
     for (std::size_t i = 0; i < values.size(); i += channels)
         for (std::size_t k = i + first; k < i + first + kept; ++k)
-            shown.push_back(has_material(request) ? srgb(values[k])
-                            : request.colour      ? values[k]
-                                                  : unorm(values[k]));
+            shown.push_back(is_surface(request.kind) ? srgb(values[k])
+                            : request.colour         ? values[k]
+                                                     : unorm(values[k]));
 }
 
 } // namespace
@@ -43,8 +43,8 @@ float srgb(float light) {
 
 Request frame_of(Request request, int frame, int frames) {
     const double share = static_cast<double>(frame) / frames;
-    if (auto* sea = std::get_if<Sea>(&request.view))
-        sea->seconds += sea->loop_seconds > 0 ? sea->loop_seconds * share : frame / 25.0;
+    if (request.kind == Kind::sea)
+        request.sea.seconds += request.sea.loop_seconds > 0 ? request.sea.loop_seconds * share : frame / 25.0;
     else
         request.evolution += share;
     return request;
@@ -64,7 +64,7 @@ std::string software(const vulkan::Device& device) {
 image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software) {
     // Materials, terrain and seas are linear, a fit has the colour space of its photograph, and noise has
     // none.
-    const bool linear = has_material(request) || (request.colour && request.colour->linear);
+    const bool linear = is_surface(request.kind) || (request.colour && request.colour->linear);
     return {.picture = {0, 0, request.width, request.height},
             .window = region,
             .channels = channels(request),
@@ -90,7 +90,7 @@ void render_file(const vulkan::Device& device, const Request& request, const ima
 
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
-        if (!has_terrain(request) || !is_flat(request.view))
+        if (request.kind != Kind::terrain || !request.view.is_flat())
             throw RequestError("--write-heightmap needs --view terrain");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(request));

@@ -36,10 +36,6 @@ image::Rect whole_of(const Request& request) {
     return {0, 0, request.width, request.height};
 }
 
-bool is_tile(const Request& request) {
-    return has_terrain(request) ? std::get<Terrain>(request.view).tileable : is_tiled(request);
-}
-
 // All channels of all pixels, row by row.
 struct Maps {
     int width;
@@ -148,9 +144,9 @@ void append_maps(std::span<const float> pixel, bool terrain, std::vector<float>&
 }
 
 Maps draw_maps(const vulkan::Device& device, const Request& request, const image::Advance& advance) {
-    const bool terrain = has_terrain(request);
+    const bool terrain = request.kind == Kind::terrain;
     const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
-    Maps maps{request.width, request.height, is_tile(request), request.scale / unit, {}};
+    Maps maps{request.width, request.height, request.view.tileable, request.scale / unit, {}};
     maps.values.reserve(maps.row_values() * static_cast<std::size_t>(request.height));
     const std::size_t channels = render::channels(request).size();
     render_region(device, request, whole_of(request), [&](std::span<const float> rows) {
@@ -201,7 +197,7 @@ image::ExrHeader header_of(const vulkan::Device& device, const Request& request,
     header.channels = map_channels;
     header.compression = format.compression;
     if (format.texture)
-        header.texture = image::ExrHeader::Texture{format.half, is_tile(request)};
+        header.texture = image::ExrHeader::Texture{format.half, request.view.tileable};
     return header;
 }
 
@@ -273,8 +269,8 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
     write_rows(maps, exr, pngs, writers, heights.first, heights.second, advance);
     if (format.texture)
         write_levels(exr, maps);
-    const Terrain* terrain = std::get_if<Terrain>(&request.view);
-    const double extent = terrain ? terrain->extent : 0;
+    const bool terrain = request.kind == Kind::terrain;
+    const double extent = terrain ? request.extent : 0;
     const double metres = format.metres.value_or(extent > 0 ? extent : 1);
     const double unit = extent > 0 ? metres / extent : metres * request.scale / request.width; // of heights
     std::string name = terrain ? "terrain" : request.material;
@@ -285,7 +281,7 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
                            fmt::arg("width", metres),
                            fmt::arg("height", metres * request.height / request.width),
                            fmt::arg("columns", request.width), fmt::arg("rows", request.height),
-                           fmt::arg("tileable", is_tile(request)));
+                           fmt::arg("tileable", request.view.tileable));
     };
     materialx.write(filled(materialx_template));
     gltf.write(filled(gltf_template));
@@ -301,9 +297,7 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
 } // namespace
 
 bool has_maps(const Request& request) {
-    const auto* terrain = std::get_if<Terrain>(&request.view);
-    return terrain ? !terrain->perspective
-                   : has_material(request) && std::holds_alternative<Plane>(request.view);
+    return is_surface(request.kind) && request.view.projection == Projection::flat;
 }
 
 void check_maps(const Request& request) {
@@ -318,10 +312,7 @@ void set_side(Request& request, int side) {
 }
 
 void make_tile(Request& request) {
-    if (auto* terrain = std::get_if<Terrain>(&request.view))
-        terrain->tileable = true;
-    else if (auto* plane = std::get_if<Plane>(&request.view))
-        plane->tileable = true;
+    request.view.tileable = request.view.projection == Projection::flat;
     if (const double least = least_tile(request); least > 0)
         request.scale = std::min(request.scale, std::min(request.width, request.height) / least);
 }

@@ -18,7 +18,7 @@
 namespace gabor::render {
 
 void check_texture(const Request& request, const image::Rect& region) {
-    if (!std::holds_alternative<Plane>(request.view))
+    if (!is_pattern(request.kind) || request.view.projection != Projection::flat)
         throw RequestError("--texture requires --view flat");
     if (!std::has_single_bit(static_cast<unsigned>(region.width)) ||
         !std::has_single_bit(static_cast<unsigned>(region.height)))
@@ -69,8 +69,8 @@ image::ExrWriter make_writer(const std::filesystem::path& path, const Request& r
     const image::Rect whole{0, 0, region.width, region.height};
     image::ExrHeader header = exr_header(request, whole, made_by);
     header.picture = whole;
-    const bool tile = std::get<Plane>(request.view).tileable && region.width == request.width &&
-                      region.height == request.height;
+    const bool tile =
+        request.view.tileable && region.width == request.width && region.height == request.height;
     header.texture = image::ExrHeader::Texture{half, tile};
     return {path, header};
 }

@@ -90,9 +90,9 @@ passes::BakePush push_for(const Request& request, const Viewport& viewport,
     push.time = wrapped_evolution(request);
     push.stretch = vec2_of(1 / radius[0], 1 / radius[1]);
     push.pixel = vec2_of(1 / (scale * radius[0]), 1 / (scale * radius[1]));
-    if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+    if (request.view.projection == Projection::slice) {
         const double nodes = double{drawing_recipe(request).radius};
-        const double place = slice->depth / radius[0] * nodes;
+        const double place = request.view.depth / radius[0] * nodes;
         push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
         push.slice_offset = static_cast<float>(place - push.first_slice - 1);
     }
@@ -148,7 +148,7 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
 void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, DeviceKind device,
                const Constants& constants) {
     const noise::Recipe recipe = drawing_recipe(request);
-    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed, in_space(request));
+    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed, request.view.in_space());
     std::vector<passes::Run> columns;
     std::vector<passes::Run> rows;
     std::vector<passes::BakeWave> wave_table;

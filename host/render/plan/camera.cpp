@@ -15,7 +15,7 @@ Coordinate Coordinate::moved(double by) const {
 }
 
 Camera default_camera(const Request& request) {
-    if (!is_flat(request.view))
+    if (!request.view.is_flat())
         return {};
     return Camera{}.moved(request.width / 2.0 / request.scale, request.height / 2.0 / request.scale);
 }
@@ -31,7 +31,7 @@ std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cel
 
 Axis axis_along(const Request& request, int side, double radius) {
     const double cells = double{drawing_recipe(request).radius};
-    if (!is_tiled(request))
+    if (!request.view.tileable)
         return {cells, 0};
     const double scale = request.scale * radius;
     const double period = std::floor(side / scale * cells);

@@ -22,23 +22,29 @@ namespace {
 
 constexpr double least_baked_cell = 8; // in pixels; smaller cells would make blocks too small
 
-std::uint32_t view_constant(const View& view) {
-    if (std::holds_alternative<Horizon>(view))
+std::uint32_t view_constant(const Request& request) {
+    switch (request.view.projection) {
+    case Projection::horizon:
         return passes::view_horizon;
-    if (std::holds_alternative<Slice>(view))
+    case Projection::slice:
         return passes::view_slice;
-    if (const Body* body = std::get_if<Body>(&view))
-        return body->shape == Shape::sphere ? passes::view_sphere : passes::view_torus;
-    if (const Terrain* terrain = std::get_if<Terrain>(&view))
-        return terrain->perspective ? passes::view_landscape : passes::view_terrain;
-    return passes::view_flat;
+    case Projection::sphere:
+        return passes::view_sphere;
+    case Projection::torus:
+        return passes::view_torus;
+    case Projection::place:
+        return passes::view_landscape;
+    case Projection::flat:
+        break;
+    }
+    return request.kind == Kind::terrain ? passes::view_terrain : passes::view_flat;
 }
 
 // The constants of a noise. `channels` are the picture's.
 Constants constants_of(const Request& request, std::span<const std::string> channels) {
     Constants constants{};
     std::ranges::copy(recipe_constants(drawing_recipe(request)), constants.begin());
-    constants[passes::view_id] = view_constant(request.view);
+    constants[passes::view_id] = view_constant(request);
     constants[passes::filter_id] = request.filter;
     constants[passes::painted_id] = !request.paint.empty();
     constants[passes::channels_id] = static_cast<std::uint32_t>(channels.size());
@@ -52,7 +58,7 @@ Constants constants_of(const Request& request, std::span<const std::string> chan
         constants[id] = vulkan::constant(channel_index(channels, name));
     constants[passes::animated_id] = wrapped_evolution(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
-    constants[passes::tiled_id] = is_tiled(request);
+    constants[passes::tiled_id] = request.view.tileable;
     return constants;
 }
 
@@ -68,14 +74,14 @@ Step step_of(std::string shader, const Constants& constants, const Push& push, s
 // Returns the length of a pixel in kernel radii. In perspective, returns the height of the camera above the
 // plane, chosen so that the bottom row has the request's scale.
 double pixel_length(const Request& request, int height) {
-    return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
+    return (request.view.has_horizon() ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
 // Returns the positions of pixels along an axis (0 for x, 1 for y), each as a cell and an offset in it, once
 // for each kernel radius. In perspective, every cell is the camera's, and the offsets are in pixels from the
 // middle of the horizon.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis) {
-    const bool horizon = in_perspective(request);
+    const bool horizon = request.view.has_horizon();
     const Side side = side_of(request, viewport, axis);
     const Coordinate start = horizon ? side.middle : side.edge();
     const double origin =
@@ -124,7 +130,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
         const Axis x = axis_along(request, request.width, radius_x);
         const Axis y = axis_along(request, request.height, radius_y);
         const auto camera = [&](const Coordinate& at, double cells) {
-            return in_perspective(request) ? static_cast<float>(cell_at(at, cells).second) : 0.0f;
+            return request.view.has_horizon() ? static_cast<float>(cell_at(at, cells).second) : 0.0f;
         };
         passes::PixelsWave& made = result.emplace_back(passes::PixelsWave{
             .nodes = vec2_of(x.radius, y.radius),
@@ -139,7 +145,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
             .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
             .weights = {}});
         put_weights(made.weights, request, i); // in colour, each lobe has one wave
-        if (!in_perspective(request) && request.paint.empty())
+        if (!request.view.has_horizon() && request.paint.empty())
             fade(made, share_left(request, viewport, wave.frequency));
     }
     return result;
@@ -185,7 +191,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     push.time = wrapped_evolution(request);
     push.pixel =
         static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(viewport.camera.zoom);
-    if (!in_perspective(request))
+    if (!request.view.has_horizon())
         push.pixel *= stride;
     push.focal_length = static_cast<float>(viewport.width) / stride; // in units of stride pixels
     push.waves = static_cast<int>(waves.size());
@@ -200,7 +206,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     if (waves.size() <= (window && request.filter ? 1 : few_waves)) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
         // Not in a window, where each scale would need its own pipeline.
-        if (request.filter && !in_perspective(request) && !window)
+        if (request.filter && !request.view.has_horizon() && !window)
             choose_filters(constants, waves, push.pixel, request.recipe.radius);
     }
     plan.steps = {step_of(recipe_pass("pixels", request.recipe), constants, push, passes::pixels_group)};
@@ -223,12 +229,12 @@ double sphere_radius(const Request& request) {
 // Sets the push constants of passes/body.glsl.
 template <typename Push>
 void push_body(Push& push, const Request& request, const Viewport& viewport) {
-    const Body& body = std::get<Body>(request.view);
+    const Orbit& orbit = request.view.orbit;
     push.pixel = static_cast<float>(pixel_side(std::min(viewport.width, viewport.height)) * viewport.stride /
-                                    body.zoom);
+                                    orbit.zoom);
     push.unit = static_cast<float>(sphere_radius(request));
-    push.yaw = direction(noise::radians(std::remainder(body.yaw, 360.0)));
-    push.pitch = direction(noise::radians(body.pitch));
+    push.yaw = direction(noise::radians(std::remainder(orbit.yaw, 360.0)));
+    push.pitch = direction(noise::radians(orbit.pitch));
 }
 
 passes::vec2 half(const Viewport& viewport) {
@@ -247,14 +253,14 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
                               .isotropic = wave.isotropic,
                               .weights = {}});
         put_weights(made.weights, request, waves.size() - 1); // in colour, each lobe has one wave
-        if (is_flat(request.view))
+        if (request.view.is_flat())
             fade(made, share_left(request, viewport, wave.frequency));
     }
     auto push = push_of<passes::SolidPush>(viewport.region);
     push.center = half(viewport);
     push.time = wrapped_evolution(request);
     push.waves = static_cast<int>(waves.size());
-    if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+    if (request.view.projection == Projection::slice) {
         // Rounds to whole values, so that the same points are sampled wherever the view is.
         const auto first = [&](std::size_t axis) {
             const Side side = side_of(request, viewport, axis);
@@ -265,7 +271,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
         push.first_row += first(1);
         push.pixel =
             static_cast<float>(viewport.stride / request.scale) / static_cast<float>(viewport.camera.zoom);
-        push.depth = static_cast<float>(slice->depth);
+        push.depth = static_cast<float>(request.view.depth);
     } else {
         push_body(push, request, viewport);
         push.share =
@@ -275,15 +281,15 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
     constants[passes::directed_id] = !std::ranges::all_of(request.lobes, is_isotropic);
     plan.tables = {bytes_of(waves), bytes_of(colour_of(request))};
-    plan.steps = {
-        step_of(along_surface(request) ? "solid@surface" : "solid", constants, push, passes::solid_group)};
+    plan.steps = {step_of(request.view.along_surface() ? "solid@surface" : "solid", constants, push,
+                          passes::solid_group)};
 }
 
 // ---- Materials ----
 
 // Plans a material. In flat views, the light stays fixed relative to the view.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
-    const bool flat = is_flat(request.view);
+    const bool flat = request.view.is_flat();
     const double zoom = viewport.camera.zoom;
     const Side x = side_of(request, viewport, 0);
     const Side y = side_of(request, viewport, 1);
@@ -297,7 +303,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     push.size = vec2_of(size(x), size(y));
     const auto corner = [&](const Side& side) { return (flat ? side.edge() : side.middle).value(); };
     push.corner = vec2_of(corner(x), corner(y));
-    if (in_perspective(request)) {
+    if (request.view.has_horizon()) {
         push.sky = static_cast<float>(sky_rows(viewport.height) / viewport.stride);
         push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(zoom);
     } else if (flat) {
@@ -307,8 +313,8 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     }
     Constants constants{};
     constants[passes::filter_id] = request.filter;
-    constants[passes::view_id] = view_constant(request.view);
-    constants[passes::tiled_id] = is_tiled(request);
+    constants[passes::view_id] = view_constant(request);
+    constants[passes::tiled_id] = request.view.tileable;
     constants[passes::environment_id] = vulkan::constant(request.environment);
     constants[passes::boards_id] = request.boards;
     plan.tables = {bytes_of(struct_values(request))};
@@ -320,7 +326,8 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
 // ---- Terrain ----
 
 void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
-    const Terrain& terrain = std::get<Terrain>(request.view);
+    const Orbit& orbit = request.view.orbit;
+    const bool perspective = !request.view.is_flat();
     auto push = push_of<passes::TerrainPush>(viewport.region);
     push.seed = request.seed;
     push.cover = request.cover;
@@ -329,26 +336,26 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     push.reach = static_cast<float>(erosion_reach(request));
     // In perspective, the camera looks at the middle of what the terrain view shows.
     const Camera looked_at = default_camera(from_above(request));
-    const Coordinate x = terrain.perspective ? looked_at.x : side_of(request, viewport, 0).edge();
-    const Coordinate y = terrain.perspective ? looked_at.y : side_of(request, viewport, 1).edge();
+    const Coordinate x = perspective ? looked_at.x : side_of(request, viewport, 0).edge();
+    const Coordinate y = perspective ? looked_at.y : side_of(request, viewport, 1).edge();
     push.cell = {cell_at(x, 1).first, cell_at(y, 1).first};
     push.corner = vec2_of(x.part, y.part);
     push.pixel = static_cast<float>(viewport.stride / (request.scale * viewport.camera.zoom));
-    if (terrain.tileable)
+    if (request.view.tileable)
         push.period = vec2_of(request.width / request.scale, request.height / request.scale);
-    if (terrain.perspective) {
+    if (perspective) {
         const double side = std::max(viewport.width, viewport.height);
         push.center = half(viewport);
         push.center.y *= 1.3f; // leaves room for the sky
-        push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
-        push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
+        push.yaw = direction(noise::radians(std::remainder(orbit.yaw, 360.0)));
+        push.pitch = direction(noise::radians(std::max(orbit.pitch, 0.0)));
         push.distance =
-            static_cast<float>(focal_ratio(terrain.focal_length) * std::max(request.width, request.height) /
-                               request.scale / terrain.zoom);
-        push.pixel = static_cast<float>(viewport.stride / (focal_ratio(terrain.focal_length) * side));
+            static_cast<float>(focal_ratio(orbit.focal_length) * std::max(request.width, request.height) /
+                               request.scale / orbit.zoom);
+        push.pixel = static_cast<float>(viewport.stride / (focal_ratio(orbit.focal_length) * side));
     }
     Constants constants{};
-    constants[passes::view_id] = view_constant(request.view);
+    constants[passes::view_id] = view_constant(request);
     plan.tables = {bytes_of(struct_values(request))};
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }
@@ -356,15 +363,16 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
 // ---- The sea ----
 
 void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
-    const Sea& sea = std::get<Sea>(request.view);
+    const Sea& sea = request.sea;
+    const Orbit& orbit = request.view.orbit;
     const double second = std::floor(sea.seconds), side = std::max(viewport.width, viewport.height);
     auto push = push_of<passes::OceanPush>(viewport.region);
     push.center = half(viewport);
-    push.yaw = direction(noise::radians(std::remainder(sea.yaw, 360.0)));
-    push.pitch = direction(noise::radians(sea.pitch));
+    push.yaw = direction(noise::radians(std::remainder(orbit.yaw, 360.0)));
+    push.pitch = direction(noise::radians(orbit.pitch));
     push.sun = vec2_of(light_direction(request));
-    push.altitude = static_cast<float>(sea.altitude);
-    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * focal_ratio(sea.focal_length) * side));
+    push.altitude = static_cast<float>(orbit.altitude);
+    push.pixel = static_cast<float>(viewport.stride / (orbit.zoom * focal_ratio(orbit.focal_length) * side));
     push.second = static_cast<int>(second);
     push.fraction = static_cast<float>(sea.seconds - second);
     push.seed = request.seed;
@@ -446,31 +454,37 @@ Viewport viewport_of(const Request& request, const image::Rect& region) {
 }
 
 bool uses_blocks(const Request& request, const Viewport& viewport) {
-    if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
+    if (viewport.blocks == Blocks::none || is_surface(request.kind) || !request.view.is_flat() ||
         !request.paint.empty() || request.filter || request.phasor)
         return false;
     // In isotropic noise in space, each node has its own wave, so the pixels of a block share nothing.
-    if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
+    if (request.view.in_space() && std::ranges::any_of(request.lobes, is_isotropic))
         return false;
     const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};
     return viewport.blocks == Blocks::fitted ||
-           (!in_space(request) && !request.colour && cell >= least_baked_cell);
+           (!request.view.in_space() && !request.colour && cell >= least_baked_cell);
 }
 
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, DeviceKind device) {
     Plan plan{channels(request, viewport.normals), viewport.region.width, viewport.region.height, {}, {}};
-    if (has_sea(request))
+    switch (request.kind) {
+    case Kind::sea:
         plan_sea(plan, request, viewport);
-    else if (has_terrain(request))
+        break;
+    case Kind::terrain:
         plan_terrain(plan, request, viewport);
-    else if (has_material(request))
+        break;
+    case Kind::material:
         plan_material(plan, request, viewport);
-    else if (uses_blocks(request, viewport))
-        plan_bake(plan, request, viewport, device, constants_of(request, plan.channels));
-    else if (in_space(request))
-        plan_solid(plan, request, viewport);
-    else
-        plan_pixels(plan, request, viewport, paint);
+        break;
+    case Kind::noise:
+        if (uses_blocks(request, viewport))
+            plan_bake(plan, request, viewport, device, constants_of(request, plan.channels));
+        else if (request.view.in_space())
+            plan_solid(plan, request, viewport);
+        else
+            plan_pixels(plan, request, viewport, paint);
+    }
     return plan;
 }
 

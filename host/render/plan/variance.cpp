@@ -56,9 +56,9 @@ std::optional<Variances> variances(const Request& request) {
 } // namespace
 
 std::optional<double> known_variance(const Request& request, std::string_view channel) {
-    const bool flat = std::holds_alternative<Plane>(request.view);
-    if (!flat && !in_space(request))
-        return {}; // a horizon includes the sky, and terrain is not noise
+    const bool flat = request.view.projection == Projection::flat;
+    if (request.kind != Kind::noise || request.view.has_horizon())
+        return {}; // a horizon includes the sky
     const bool noise = channel == "Y";
     if (noise && !request.filter)
         return 1;

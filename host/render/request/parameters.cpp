@@ -18,63 +18,76 @@ namespace gabor::render {
 namespace {
 
 using Group = Parameter::Group;
-using Kind = Parameter::Kind;
+using Type = Parameter::Type;
 using noise::Lobe;
 
 constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
 
+// The values of --view. Those of a place also say what it is.
 struct NamedView {
     std::string_view name;
-    View view;
+    Projection projection;
+    Kind kind = Kind::noise; // or another pattern
 };
 
-const std::array named_views{NamedView{"flat", Plane()},
-                             NamedView{"horizon", Horizon()},
-                             NamedView{"slice", Slice()},
-                             NamedView{"sphere", Body{Shape::sphere}},
-                             NamedView{"torus", Body{Shape::torus}},
-                             NamedView{"terrain", Terrain()},
-                             NamedView{"landscape", Terrain{.perspective = true}},
-                             NamedView{"ocean", Sea()}};
+constexpr std::array named_views{NamedView{"flat", Projection::flat},
+                                 NamedView{"horizon", Projection::horizon},
+                                 NamedView{"slice", Projection::slice},
+                                 NamedView{"sphere", Projection::sphere},
+                                 NamedView{"torus", Projection::torus},
+                                 NamedView{"terrain", Projection::flat, Kind::terrain},
+                                 NamedView{"landscape", Projection::place, Kind::terrain},
+                                 NamedView{"ocean", Projection::place, Kind::sea}};
 
-std::string_view name_of(const View& view) {
-    if (const Body* body = std::get_if<Body>(&view))
-        return body->shape == Shape::sphere ? "sphere" : "torus";
-    if (const Terrain* terrain = std::get_if<Terrain>(&view))
-        return terrain->perspective ? "landscape" : "terrain";
-    if (std::holds_alternative<Sea>(view))
-        return "ocean";
-    return named_views[view.index()].name; // the first three are in the order of View's types
+std::string_view view_name(const Request& request) {
+    const Kind kind = is_pattern(request.kind) ? Kind::noise : request.kind;
+    return std::ranges::find_if(named_views,
+                                [&](const NamedView& view) {
+                                    return view.projection == request.view.projection && view.kind == kind;
+                                })
+        ->name;
 }
 
-// Returns the view with that name. It keeps the values that the previous view also has.
-View view_of(std::string_view name, const View& before) {
-    const View& fresh = std::ranges::find(named_views, name, &NamedView::name)->view;
-    if (fresh.index() != before.index())
-        return fresh;
-    View view = before;
-    if (Body* body = std::get_if<Body>(&view))
-        body->shape = std::get<Body>(fresh).shape;
-    if (Terrain* terrain = std::get_if<Terrain>(&view))
-        terrain->perspective = std::get<Terrain>(fresh).perspective;
-    return view;
+// Keeps the values that the previous view also has.
+void put_view(Request& request, std::string_view name) {
+    const NamedView& named = *std::ranges::find(named_views, name, &NamedView::name);
+    const Kind pattern = is_pattern(request.kind)          ? request.kind
+                         : request.material != no_material ? Kind::material
+                                                           : Kind::noise;
+    const Kind kind = is_pattern(named.kind) ? pattern : named.kind;
+    const View fresh{.projection = named.projection, .orbit = default_orbit(kind)};
+    const bool alike = fresh.projection == request.view.projection ||
+                       (fresh.is_body() && request.view.is_body()) || !is_pattern(kind);
+    if (kind == request.kind && alike)
+        request.view.projection = fresh.projection;
+    else
+        request.view = fresh;
+    request.kind = kind;
+}
+
+// A material takes the place of another pattern; `check` refuses it elsewhere.
+void put_material(Request& request, std::string_view name) {
+    request.material = name;
+    if (is_pattern(request.kind))
+        request.kind = name == no_material ? Kind::noise : Kind::material;
+}
+
+Request without_material(Request request) {
+    put_material(request, no_material);
+    return request;
 }
 
 // ---- The requests that have a parameter ----
 
-bool is_noise(const Request& request) {
-    return !has_material(request);
+template <Kind... kinds>
+bool is(const Request& request) {
+    return ((request.kind == kinds) || ...);
 }
 
-template <typename... OneView>
-bool is_view(const Request& request) {
-    return (std::holds_alternative<OneView>(request.view) || ...);
-}
-
-bool is_landscape(const Request& request) {
-    const Terrain* terrain = std::get_if<Terrain>(&request.view);
-    return terrain && terrain->perspective;
+template <Projection... projections>
+bool is_seen(const Request& request) {
+    return ((request.view.projection == projections) || ...);
 }
 
 // A scope that needs no initialization: programs may use the table before main.
@@ -86,33 +99,32 @@ struct Constant {
 
 namespace scopes {
 
+using enum Projection;
+
 constexpr Constant all{"", [](const Request&) { return true; }};
-constexpr Constant noise{"noise", is_noise};
+constexpr Constant noise{"noise", is<Kind::noise>};
 constexpr Constant one_lobe{"noise of a single lobe",
-                            [](const Request& r) { return is_noise(r) && r.lobes.size() == 1; }};
+                            [](const Request& r) { return noise.holds(r) && r.lobes.size() == 1; }};
 constexpr Constant paintable{"noise of a single lobe with --view flat",
-                             [](const Request& r) { return one_lobe.holds(r) && is_view<Plane>(r); }};
+                             [](const Request& r) { return one_lobe.holds(r) && is_seen<flat>(r); }};
 constexpr Constant planar{"noise with --view flat or horizon",
-                          [](const Request& r) { return is_noise(r) && is_view<Plane, Horizon>(r); }};
-constexpr Constant filtered{"noise or a material",
-                            [](const Request& r) { return !has_terrain(r) && !has_sea(r); }};
-constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !has_sea(r); }};
-constexpr Constant tiles{"--view flat or terrain", [](const Request& r) {
-                             return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
-                         }};
-constexpr Constant slices{"--view slice", is_view<Slice>};
+                          [](const Request& r) { return noise.holds(r) && is_seen<flat, horizon>(r); }};
 constexpr Constant bodies{"noise with --view sphere or torus",
-                          [](const Request& r) { return is_noise(r) && is_view<Body>(r); }};
+                          [](const Request& r) { return noise.holds(r) && r.view.is_body(); }};
+constexpr Constant patterns{"noise or a material", [](const Request& r) { return is_pattern(r.kind); }};
+constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !is<Kind::sea>(r); }};
+constexpr Constant tiles{"--view flat or terrain", is_seen<flat>};
+constexpr Constant slices{"--view slice", is_seen<slice>};
 constexpr Constant orbits{"--view sphere, torus, landscape or ocean",
-                          [](const Request& r) { return is_view<Body, Sea>(r) || is_landscape(r); }};
-constexpr Constant cameras{"--view landscape or ocean",
-                           [](const Request& r) { return is_landscape(r) || has_sea(r); }};
-constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean", has_material};
-constexpr Constant of_material{"--material NAME", [](const Request& r) { return r.material != no_material; }};
+                          [](const Request& r) { return r.view.has_orbit(); }};
+constexpr Constant places{"--view landscape or ocean", is_seen<place>};
+constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean",
+                       [](const Request& r) { return is_surface(r.kind); }};
+constexpr Constant material{"--material NAME", is<Kind::material>};
 constexpr Constant laid{"--boards and --material NAME",
-                        [](const Request& r) { return of_material.holds(r) && r.boards; }};
-constexpr Constant terrain{"--view terrain or landscape", has_terrain};
-constexpr Constant sea{"--view ocean", has_sea};
+                        [](const Request& r) { return material.holds(r) && r.boards; }};
+constexpr Constant terrain{"--view terrain or landscape", is<Kind::terrain>};
+constexpr Constant sea{"--view ocean", is<Kind::sea>};
 
 } // namespace scopes
 
@@ -125,11 +137,10 @@ std::string other_than(const Scope& scope, const Request& request) {
         return fmt::format("{} lobes", request.lobes.size());
     if (scope.described == scopes::laid.described && request.material != no_material)
         return "";
-    Request noise = request;
-    noise.material = no_material;
-    if (request.material != no_material && (scope.holds(noise) || mentions("material")))
+    if (request.material != no_material && (scope.holds(without_material(request)) || mentions("material")))
         return request.material;
-    return std::holds_alternative<Plane>(request.view) ? "" : std::string(name_of(request.view));
+    const std::string_view view = view_name(request);
+    return view == view_name(Request()) ? "" : std::string(view);
 }
 
 // Returns what a scope describes in terms of options, or of JSON.
@@ -161,26 +172,14 @@ Place in_request(T Request::*member) {
     return found_by([member](auto& request) { return &(request.*member); });
 }
 
-// Returns a view's member, or null in another view.
-template <typename OneView, typename T>
-auto* member_of(auto& request, T OneView::*member) {
-    auto* view = std::get_if<OneView>(&request.view);
-    return view ? &(view->*member) : nullptr;
+// A member of a member, such as the view.
+template <typename Part, typename T>
+Place in_part(Part Request::*part, T Part::*member) {
+    return found_by([=](auto& request) { return &(request.*part.*member); });
 }
 
-template <typename OneView, typename T>
-Place in_view(T OneView::*member) {
-    return found_by([member](auto& request) { return member_of(request, member); });
-}
-
-// A value of several kinds of view.
-template <typename T, typename... OneView>
-Place in_views(T OneView::*... member) {
-    return found_by([=](auto& request) {
-        decltype((member_of(request, member), ...)) value = nullptr;
-        static_cast<void>(((value = member_of(request, member)) || ...));
-        return value;
-    });
+Place in_orbit(double Orbit::*member) {
+    return found_by([=](auto& request) { return &(request.view.orbit.*member); });
 }
 
 template <typename Get, typename Put>
@@ -204,45 +203,45 @@ std::vector<std::string_view> names_of(const Named& named) {
     return names;
 }
 
-constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
+constexpr LobeParameter lobe_row(std::string_view name, Type type, std::string_view unit, Range range,
                                  Range slider, std::string_view help, double Lobe::*member) {
-    return {name, kind, unit, range, slider, help, member};
+    return {name, type, unit, range, slider, help, member};
 }
 
 constexpr std::array of_lobe{
-    lobe_row("frequency", Kind::number, "cycles per kernel radius", {0.001, 1024}, {0.05, 64},
+    lobe_row("frequency", Type::number, "cycles per kernel radius", {0.001, 1024}, {0.05, 64},
              "Frequency of the waves", &Lobe::frequency),
-    lobe_row("orientation", Kind::angle, "degrees", {-36000, 36000}, {-180, 180},
+    lobe_row("orientation", Type::angle, "degrees", {-36000, 36000}, {-180, 180},
              "Direction across the waves: 0 points right, 90 down", &Lobe::orientation),
-    lobe_row("frequency_spread", Kind::number, "fraction of the frequency", {0, 1}, {0, 1},
+    lobe_row("frequency_spread", Type::number, "fraction of the frequency", {0, 1}, {0, 1},
              "Half-width of the range of frequencies", &Lobe::frequency_spread),
-    lobe_row("orientation_spread", Kind::angle, "degrees", {0, 90}, {0, 90},
+    lobe_row("orientation_spread", Type::angle, "degrees", {0, 90}, {0, 90},
              "Half-width of the range of directions; 90 gives all directions", &Lobe::orientation_spread),
-    lobe_row("power", Kind::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
+    lobe_row("power", Type::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
              &Lobe::power),
-    lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
+    lobe_row("radius", Type::number, "kernel radii", {0.01, 100}, {0.1, 10},
              "Radius of the kernels; a larger radius makes the lobe narrower", &Lobe::radius),
-    lobe_row("stretch", Kind::number, "", {0.01, 100}, {0.1, 10},
+    lobe_row("stretch", Type::number, "", {0.01, 100}, {0.1, 10},
              "Radius of the kernels along y, divided by their radius along x", &Lobe::stretch),
 };
 
-Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
+Parameter row(std::string_view name, Type type, std::string_view unit, Range range, Range slider,
               const Scope& scope, std::string_view help, Place place,
               std::vector<std::string_view> choices = {}) {
-    return {name, kind, unit, range, slider, scope, help, std::move(place), std::move(choices)};
+    return {name, type, unit, range, slider, scope, help, std::move(place), std::move(choices)};
 }
 
 Parameter single_lobe_row(const LobeParameter& p) {
-    return row(p.name, p.kind, p.unit, p.range, p.slider, scopes::one_lobe, p.help,
+    return row(p.name, p.type, p.unit, p.range, p.slider, scopes::one_lobe, p.help,
                found_by([member = p.member](auto& request) {
                    return request.lobes.size() == 1 ? &(request.lobes.front().*member) : nullptr;
                }));
 }
 
 std::vector<Parameter> picture_rows() {
-    return {row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture width",
+    return {row("width", Type::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture width",
                 in_request(&Request::width)),
-            row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture height",
+            row("height", Type::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture height",
                 in_request(&Request::height))};
 }
 
@@ -250,20 +249,20 @@ std::vector<Parameter> noise_rows() {
     std::vector<std::string_view> with_none{no_material};
     with_none.insert(with_none.end(), materials.begin(), materials.end());
     return {
-        row("material", Kind::choice, "", none, none, scopes::all,
+        row("material", Type::choice, "", none, none, scopes::all,
             "Draw a material instead of the noise, on planes and bodies. It has channels R, G, B (linear), "
             "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. "
             "`gabor materials NAME` lists the options of one material, such as --wood.rings",
-            in_request(&Request::material), std::move(with_none)),
-        row("boards", Kind::flag, "", none, none, scopes::of_material,
+            by_name([](const Request& r) { return r.material; }, put_material), std::move(with_none)),
+        row("boards", Type::flag, "", none, none, scopes::material,
             "Lay the material as planks or tiles, with joints between them. Whole boards fill a tile. `gabor "
             "materials boards` lists the options of boards",
             in_request(&Request::boards)),
-        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
+        row("scale", Type::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
             in_request(&Request::scale)),
-        row("recipe", Kind::choice, "", none, none, scopes::planar,
+        row("recipe", Type::choice, "", none, none, scopes::planar,
             "Variant of the noise. `gabor recipes` describes them",
             by_name([](const Request& r) { return r.recipe.name; },
                     [](Request& r, const std::string& name) { r.recipe = noise::find_recipe(name); }),
@@ -272,29 +271,29 @@ std::vector<Parameter> noise_rows() {
         single_lobe_row(of_lobe[1]),
         single_lobe_row(of_lobe[2]),
         single_lobe_row(of_lobe[3]),
-        row("lobes", Kind::lobes, "", none, none, scopes::noise,
+        row("lobes", Type::lobes, "", none, none, scopes::noise,
             "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
-        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
+        row("seed", Type::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
-        row("evolution", Kind::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::noise,
+        row("evolution", Type::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::noise,
             "Evolution of the noise in place, which repeats after 1", in_request(&Request::evolution)),
-        row("paint", Kind::text, "", none, none, scopes::paintable,
+        row("paint", Type::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
             "turns this vector. An EXR has channels `frequency` and `orientation` (degrees)",
             in_request(&Request::paint)),
-        row("gradient", Kind::flag, "", none, none, scopes::noise,
+        row("gradient", Type::flag, "", none, none, scopes::noise,
             "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
             "radius",
             in_request(&Request::gradient)),
-        row("phasor", Kind::flag, "", none, none, scopes::noise,
+        row("phasor", Type::flag, "", none, none, scopes::noise,
             "Add channels `phase` (turns) and `intensity`", in_request(&Request::phasor)),
     };
 }
 
 std::vector<Parameter> view_rows() {
     return {
-        row("view", Kind::choice, "", none, none, scopes::all,
+        row("view", Type::choice, "", none, none, scopes::all,
             "What the picture shows:\n"
             "flat: the plane from above\n"
             "horizon: the plane in perspective, with the scale at its bottom row\n"
@@ -306,27 +305,24 @@ std::vector<Parameter> view_rows() {
             "The last three have channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, lit.B, and ridge "
             "and "
             "erosion or, for the ocean, jacobian and foam",
-            by_name([](const Request& r) { return name_of(r.view); },
-                    [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
-            names_of(named_views)),
-        row("tileable", Kind::flag, "", none, none, scopes::tiles, "Make the picture tile without seams",
-            in_views(&Plane::tileable, &Terrain::tileable)),
-        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, scopes::slices,
-            "Depth of the slice", in_view(&Slice::depth)),
-        row("solid", Kind::flag, "", none, none, scopes::bodies, "Cut the body from solid noise",
-            in_view(&Body::solid)),
-        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::orbits,
+            by_name(view_name, put_view), names_of(named_views)),
+        row("tileable", Type::flag, "", none, none, scopes::tiles, "Make the picture tile without seams",
+            in_part(&Request::view, &View::tileable)),
+        row("depth", Type::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, scopes::slices,
+            "Depth of the slice", in_part(&Request::view, &View::depth)),
+        row("solid", Type::flag, "", none, none, scopes::bodies, "Cut the body from solid noise",
+            in_part(&Request::view, &View::solid)),
+        row("yaw", Type::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::orbits,
             "Camera angle around the body, the landscape or the vertical; the waves of a sea come from 180",
-            in_views(&Body::yaw, &Terrain::yaw, &Sea::yaw)),
-        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, scopes::orbits,
-            "Camera angle above the equator, the ground or the sea",
-            in_views(&Body::pitch, &Terrain::pitch, &Sea::pitch)),
-        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
-            "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom, &Sea::zoom)),
-        row("focal_length", Kind::number, "millimetres", {3.6, 360}, {10, 100}, scopes::cameras,
+            in_orbit(&Orbit::yaw)),
+        row("pitch", Type::angle, "degrees", {-90, 90}, {-90, 90}, scopes::orbits,
+            "Camera angle above the equator, the ground or the sea", in_orbit(&Orbit::pitch)),
+        row("zoom", Type::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
+            "Zoom factor; 1 shows the whole body", in_orbit(&Orbit::zoom)),
+        row("focal_length", Type::number, "millimetres", {3.6, 360}, {10, 100}, scopes::places,
             "Focal length of the camera, whose sensor's longer side has 36 mm: shorter is wider",
-            in_views(&Terrain::focal_length, &Sea::focal_length)),
-        row("filter", Kind::flag, "", none, none, scopes::filtered,
+            in_orbit(&Orbit::focal_length)),
+        row("filter", Type::flag, "", none, none, scopes::patterns,
             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
             "adds a channel `removed`: the share of the variance that the filter removes",
             in_request(&Request::filter)),
@@ -335,11 +331,11 @@ std::vector<Parameter> view_rows() {
 
 std::vector<Parameter> light_rows() {
     return {
-        row("light_azimuth", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::lit,
+        row("light_azimuth", Type::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::lit,
             "Direction that the light comes from: 0 is right, 90 below", in_request(&Request::light_azimuth)),
-        row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, scopes::lit,
+        row("light_elevation", Type::angle, "degrees", {0, 90}, {0, 90}, scopes::lit,
             "Angle of the light above the surface", in_request(&Request::light_elevation)),
-        row("environment", Kind::choice, "", none, none, scopes::of_material,
+        row("environment", Type::choice, "", none, none, scopes::material,
             "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
             by_index(&Request::environment, environments), {environments.begin(), environments.end()}),
     };
@@ -347,12 +343,12 @@ std::vector<Parameter> light_rows() {
 
 std::vector<Parameter> terrain_rows() {
     return {
-        row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
+        row("extent", Type::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
             "Width of the picture, in the unit that heights shall have, usually metres; 0 gives heights in "
             "kernel "
             "radii",
-            in_view(&Terrain::extent)),
-        row("cover", Kind::choice, "", none, none, scopes::terrain,
+            in_request(&Request::extent)),
+        row("cover", Type::choice, "", none, none, scopes::terrain,
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
             by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
 }
@@ -362,50 +358,45 @@ constexpr std::array<std::string_view, 11> loops{"never", "8",   "16",   "32",  
                                                  "256",   "512", "1024", "2048", "4096"};
 
 Place seconds_of_loop() {
-    return {[](const Request& request) -> std::optional<Value> {
-                const auto* sea = std::get_if<Sea>(&request.view);
-                if (!sea)
-                    return std::nullopt;
-                return std::string(
-                    sea->loop_seconds == 0
-                        ? loops[0]
-                        : loops[static_cast<std::size_t>(
-                              std::countr_zero(static_cast<unsigned>(sea->loop_seconds)) - 2)]);
-            },
-            [](Request& request, const Value& value) {
-                const auto index = std::ranges::find(loops, std::get<std::string>(value)) - loops.begin();
-                std::get<Sea>(request.view).loop_seconds = index == 0 ? 0 : 4 << index;
-            }};
+    return by_name(
+        [](const Request& request) {
+            const auto seconds = static_cast<unsigned>(request.sea.loop_seconds);
+            return loops[seconds == 0 ? 0 : static_cast<std::size_t>(std::countr_zero(seconds) - 2)];
+        },
+        [](Request& request, const std::string& name) {
+            const auto index = std::ranges::find(loops, name) - loops.begin();
+            request.sea.loop_seconds = index == 0 ? 0 : 4 << index;
+        });
 }
 
 std::vector<Parameter> sea_rows() {
-    return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind speed 10 m above the sea; the wind blows along +x", in_view(&Sea::wind)),
-            row("fetch", Kind::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
+    return {row("wind", Type::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
+                "Wind speed 10 m above the sea; the wind blows along +x", in_part(&Request::sea, &Sea::wind)),
+            row("fetch", Type::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
                 "Open water upwind: a few kilometres for a lake, 200 km or more for a grown sea",
-                in_view(&Sea::fetch)),
-            row("swell_height", Kind::number, "metres", {0, 30}, {0, 8}, scopes::sea,
+                in_part(&Request::sea, &Sea::fetch)),
+            row("swell_height", Type::number, "metres", {0, 30}, {0, 8}, scopes::sea,
                 "Significant height of a swell from a far storm, from trough to crest; 0 for none",
-                in_view(&Sea::swell_height)),
-            row("swell_period", Kind::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
-                "Time from crest to crest of the swell", in_view(&Sea::swell_period)),
-            row("swell_direction", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
+                in_part(&Request::sea, &Sea::swell_height)),
+            row("swell_period", Type::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
+                "Time from crest to crest of the swell", in_part(&Request::sea, &Sea::swell_period)),
+            row("swell_direction", Type::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
                 "Where the swell goes: 0 with the wind, along +x, 90 along +y",
-                in_view(&Sea::swell_direction)),
-            row("loop_seconds", Kind::choice, "seconds", none, none, scopes::sea,
+                in_part(&Request::sea, &Sea::swell_direction)),
+            row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
                 "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
-            row("seconds", Kind::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time",
-                in_view(&Sea::seconds)),
-            row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
-                "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
+            row("seconds", Type::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time",
+                in_part(&Request::sea, &Sea::seconds)),
+            row("altitude", Type::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
+                "Height of the camera above the sea; it stays above most waves", in_orbit(&Orbit::altitude))};
 }
 
 // A member of a struct of a drop-in. Numbers and angles use only the first of the three defaults.
 struct StructRow {
     std::string_view name;
-    Kind kind;
+    Type type;
     Range range;
     Range slider;
     std::array<double, 3> by_default;
@@ -420,7 +411,7 @@ Place in_look(const StructRow& made) {
     const auto get = [&made](const Request& request) {
         const auto found = request.look.find(made.name);
         const auto& value = found == request.look.end() ? made.by_default : found->second;
-        return made.kind == Kind::colour ? Value(value) : Value(value[0]);
+        return made.type == Type::colour ? Value(value) : Value(value[0]);
     };
     const auto put = [&made](Request& request, const Value& value) {
         const auto* colour = std::get_if<std::array<double, 3>>(&value);
@@ -437,11 +428,11 @@ Parameter struct_row(const StructRow& made) {
     const std::size_t dot = made.name.find('.');
     const std::string_view of = made.name.substr(0, dot);
     const Scope one_material{fmt::format("--material {}", of),
-                             [of](const Request& request) { return request.material == of; }};
+                             [of](const Request& r) { return is<Kind::material>(r) && r.material == of; }};
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
                                                  : std::pair(Group::material, one_material);
-    Parameter p = row(made.name, made.kind, made.kind == Kind::angle ? "degrees" : "", made.range,
+    Parameter p = row(made.name, made.type, made.type == Type::angle ? "degrees" : "", made.range,
                       made.slider, scope, made.help, in_look(made));
     p.group = group;
     return p;
@@ -478,9 +469,7 @@ bool is_changed(const Request& request, const Parameter& p) {
 bool is_stray(const Request& request, const Parameter& p) {
     if (p.scope.holds(request) || !is_changed(request, p))
         return false;
-    Request noise = request;
-    noise.material = no_material;
-    return p.scope.holds(noise) || p.scope.holds(Request());
+    return p.scope.holds(without_material(request)) || p.scope.holds(Request());
 }
 
 struct Exclusion {
@@ -492,7 +481,9 @@ struct Exclusion {
 
 const std::array exclusions{
     Exclusion{"view", "material",
-              [](const Request& r) { return (is_view<Slice, Terrain, Sea>(r)) && r.material != no_material; },
+              [](const Request& r) {
+                  return r.material != no_material && (!is_pattern(r.kind) || is_seen<Projection::slice>(r));
+              },
               "only planes and bodies have materials"},
     Exclusion{"lobes", "recipe",
               [](const Request& r) {
@@ -514,17 +505,17 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
 // Tells whether the request has anything that cannot be coloured.
 bool is_colourless(const Request& request) {
     return request.quadrature || request.gradient || request.phasor || !request.paint.empty() ||
-           has_material(request);
+           is_surface(request.kind);
 }
 
 // ---- Values ----
 
-std::string accepted_number(Kind kind, const Range& range, std::string_view unit) {
+std::string accepted_number(Type type, const Range& range, std::string_view unit) {
     std::string text =
-        fmt::format("{} from {:.10g} to {:.10g}", kind == Kind::integer ? "a whole number" : "a number",
+        fmt::format("{} from {:.10g} to {:.10g}", type == Type::integer ? "a whole number" : "a number",
                     range.low, range.high);
     if (!unit.empty())
-        text += fmt::format(" ({}{})", unit, kind == Kind::angle ? ", or radians as in 0.7854rad" : "");
+        text += fmt::format(" ({}{})", unit, type == Type::angle ? ", or radians as in 0.7854rad" : "");
     return text;
 }
 
@@ -555,8 +546,8 @@ std::optional<std::array<double, 3>> read_colour(std::string_view text) {
     return at == end ? std::optional(colour) : std::nullopt;
 }
 
-bool has_range(Kind kind) {
-    return kind == Kind::integer || kind == Kind::number || kind == Kind::angle;
+bool has_range(Type type) {
+    return type == Type::integer || type == Type::number || type == Type::angle;
 }
 
 [[noreturn]] void refuse(std::string_view text, std::string_view what_is_accepted) {
@@ -576,33 +567,33 @@ void check_lobes(const std::vector<Lobe>& lobes) {
         for (const LobeParameter& p : of_lobe)
             if (!within(lobe.*p.member, p.range))
                 throw RequestError(fmt::format("{} {} of a lobe: expected {}", p.name, lobe.*p.member,
-                                               accepted_number(p.kind, p.range, p.unit)));
+                                               accepted_number(p.type, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
         throw RequestError("every lobe has power 0: at least one must have more");
 }
 
 void check_value(const Parameter& p, const Value& value) {
     const auto refused = [&] { refuse(to_text(value), accepted(p)); };
-    if (has_range(p.kind)) {
+    if (has_range(p.type)) {
         const double number = std::get<double>(value);
-        if (!within(number, p.range) || (p.kind == Kind::integer && number != std::floor(number)))
+        if (!within(number, p.range) || (p.type == Type::integer && number != std::floor(number)))
             refused();
-    } else if (p.kind == Kind::colour) {
+    } else if (p.type == Type::colour) {
         for (const double part : std::get<std::array<double, 3>>(value))
             if (!within(part, p.range))
                 refused();
-    } else if (p.kind == Kind::choice) {
+    } else if (p.type == Type::choice) {
         const std::string& name = std::get<std::string>(value);
         if (std::ranges::find(p.choices, name) == p.choices.end())
             throw RequestError(fmt::format("'{}': {}", name, expected(name, p.choices)));
-    } else if (p.kind == Kind::lobes) {
+    } else if (p.type == Type::lobes) {
         check_lobes(std::get<std::vector<Lobe>>(value));
     }
 }
 
 // Returns the beginning of a message about a parameter.
 std::string prefix(const Parameter& p, std::string (*called)(const Parameter&) = json_name) {
-    return fmt::format("{}{} ", called(p), p.kind == Kind::lobes ? ":" : "");
+    return fmt::format("{}{} ", called(p), p.type == Type::lobes ? ":" : "");
 }
 
 } // namespace
@@ -644,28 +635,28 @@ const Parameter& parameter(std::string_view name) {
 }
 
 std::string accepted(const Parameter& p) {
-    switch (p.kind) {
-    case Kind::flag:
+    switch (p.type) {
+    case Type::flag:
         return "true or false";
-    case Kind::choice:
+    case Type::choice:
         return fmt::format("{}", fmt::join(p.choices, ", "));
-    case Kind::text:
+    case Type::text:
         return "a name";
-    case Kind::colour:
+    case Type::colour:
         return "#rrggbb, or linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
-    case Kind::lobes:
+    case Type::lobes:
         return "a list like [{\"frequency\": 4, \"orientation\": 45, \"power\": 1}]";
     default:
-        return accepted_number(p.kind, p.range, p.unit);
+        return accepted_number(p.type, p.range, p.unit);
     }
 }
 
 Value read(const Parameter& p, std::string_view text) {
     Value value;
-    if (has_range(p.kind)) {
+    if (has_range(p.type)) {
         std::string_view digits = text;
         bool in_radians = false;
-        if (p.kind == Kind::angle) {
+        if (p.type == Type::angle) {
             in_radians = digits.ends_with("rad");
             for (const std::string_view unit : {"rad", "deg", "\u00b0"})
                 if (digits.ends_with(unit)) {
@@ -676,25 +667,25 @@ Value read(const Parameter& p, std::string_view text) {
         double number = 0;
         std::int64_t whole = 0;
         const char* end = digits.data() + digits.size();
-        const auto [stop, error] = p.kind == Kind::integer ? std::from_chars(digits.data(), end, whole)
+        const auto [stop, error] = p.type == Type::integer ? std::from_chars(digits.data(), end, whole)
                                                            : std::from_chars(digits.data(), end, number);
         if (error != std::errc() || stop != end)
             refuse(text, accepted(p));
-        if (p.kind == Kind::integer)
+        if (p.type == Type::integer)
             number = static_cast<double>(whole);
         value = in_radians ? noise::degrees(number) : number;
-    } else if (p.kind == Kind::flag) {
+    } else if (p.type == Type::flag) {
         if (text != "true" && text != "false")
             refuse(text, accepted(p));
         value = text == "true";
-    } else if (p.kind == Kind::lobes) {
+    } else if (p.type == Type::lobes) {
         value = lobes_from_json(text);
-    } else if (p.kind == Kind::colour) {
+    } else if (p.type == Type::colour) {
         const auto colour = read_colour(text);
         if (!colour)
             refuse(text, accepted(p));
         value = *colour;
-    } else if (p.kind == Kind::choice) {
+    } else if (p.type == Type::choice) {
         value = std::string(in_any_case(text, p.choices));
     } else {
         value = std::string(text);
@@ -738,14 +729,15 @@ void set(Request& request, std::string_view name, const Value& value) {
 
 std::optional<Value> default_of(const Parameter& parameter, const Request& request) {
     Request fresh;
+    fresh.kind = request.kind;
     fresh.material = request.material;
-    fresh.view = view_of(name_of(request.view), fresh.view);
+    fresh.view = {.projection = request.view.projection, .orbit = default_orbit(request.kind)};
     fresh.lobes.resize(request.lobes.size());
     return parameter.place.get(fresh);
 }
 
 bool decides(const Parameter& p) {
-    return p.kind == Kind::lobes || p.name == "view" || p.name == "material" || p.name == "boards";
+    return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "boards";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -756,8 +748,9 @@ bool is_set(const Request& request, std::string_view name) {
 void drop_conflicting(Request& request, std::string_view name) {
     const Parameter& kept = parameter(name);
     if (is_stray(request, kept)) {
+        request.kind = Kind::noise;
         request.material = no_material;
-        request.view = Plane();
+        request.view = {};
         if (is_stray(request, kept))
             request.lobes.resize(1);
     }
@@ -773,7 +766,7 @@ void drop_conflicting(Request& request, std::string_view name) {
 }
 
 std::vector<float> struct_values(const Request& request) {
-    const Group group = has_terrain(request) ? Group::erosion : Group::material;
+    const Group group = is<Kind::terrain>(request) ? Group::erosion : Group::material;
     std::vector<float> values;
     for (const Parameter& p : parameters()) {
         const bool of_boards = group == Group::material && p.group == Group::boards;
@@ -788,8 +781,8 @@ std::vector<float> struct_values(const Request& request) {
                 values.push_back(static_cast<float>(part));
         } else {
             const double number = std::get<double>(*value);
-            values.push_back(p.kind == Kind::integer ? std::bit_cast<float>(static_cast<std::int32_t>(number))
-                             : p.kind == Kind::angle ? static_cast<float>(noise::radians(number))
+            values.push_back(p.type == Type::integer ? std::bit_cast<float>(static_cast<std::int32_t>(number))
+                             : p.type == Type::angle ? static_cast<float>(noise::radians(number))
                                                      : static_cast<float>(number));
         }
     }
@@ -803,7 +796,7 @@ void check(const Request& request) {
     for (const Exclusion& exclusion : exclusions)
         if (exclusion.conflicts(request)) {
             const auto described = [&](std::string_view name) {
-                return name == "view" ? fmt::format("view {}", name_of(request.view)) : std::string(name);
+                return name == "view" ? fmt::format("view {}", view_name(request)) : std::string(name);
             };
             throw RequestError(fmt::format("{} conflicts with {}: {}", described(exclusion.parameter),
                                            described(exclusion.other), exclusion.because));
@@ -824,9 +817,9 @@ void check(const Request& request) {
                 "a {} of {} x {} pixels at scale {} is too small: each side must be at least {}, {} pixels",
                 what, request.width, request.height, request.scale, described, least));
     };
-    if (const Terrain* terrain = std::get_if<Terrain>(&request.view); terrain && terrain->tileable)
+    if (request.view.tileable && is<Kind::terrain>(request))
         require_sides("terrain tile", "four kernel radii");
-    else if (!terrain && is_tiled(request) && !has_material(request))
+    else if (request.view.tileable && is<Kind::noise>(request))
         require_sides("tileable picture",
                       request.lobes.size() > 1 ? "two kernel radii of its widest lobe" : "two kernel radii");
 }

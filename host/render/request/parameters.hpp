@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace gabor::render {
 
@@ -19,7 +20,7 @@ struct Range {
     double high = 0;
 };
 
-/// A kind of request: those that have a parameter.
+/// The requests that have a parameter.
 struct Scope {
     /// The options that give a request the parameter, as in "--view slice", or what it must be, as in
     /// "noise". Empty for all requests.
@@ -36,12 +37,12 @@ struct Place {
 /// A row of the table that describes a Request. Command-line options, JSON, checks, their messages and the
 /// viewer's controls all come from these rows.
 struct Parameter {
-    enum class Kind { flag, integer, number, angle, choice, text, lobes, colour };
+    enum class Type { flag, integer, number, angle, choice, text, lobes, colour };
     /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
     enum class Group { picture, noise, view, light, boards, terrain, sea, erosion, material };
 
     std::string_view name; ///< name in JSON; the command-line option has - instead of _
-    Kind kind;
+    Type type;
     std::string_view unit; ///< such as "cycles per kernel radius"; empty for none
     Range range;           ///< limits of integers, numbers and angles
     Range slider;          ///< the part of the range that a slider covers, logarithmic if low > 0
@@ -69,7 +70,7 @@ const Parameter& parameter(std::string_view name);
 /// A value of a lobe, described as in Parameter.
 struct LobeParameter {
     std::string_view name;
-    Parameter::Kind kind;
+    Parameter::Type type;
     std::string_view unit;
     Range range;
     Range slider;

@@ -9,12 +9,6 @@
 
 namespace gabor::render {
 
-bool is_flat(const View& view) {
-    const Terrain* terrain = std::get_if<Terrain>(&view);
-    return std::holds_alternative<Plane>(view) || std::holds_alternative<Slice>(view) ||
-           (terrain && !terrain->perspective);
-}
-
 std::array<double, 2> light_direction(const Request& request) {
     const double azimuth = noise::radians(std::remainder(request.light_azimuth, 360.0));
     const double along = std::cos(noise::radians(request.light_elevation));
@@ -22,20 +16,19 @@ std::array<double, 2> light_direction(const Request& request) {
 }
 
 double least_tile(const Request& request) {
-    if (has_material(request))
-        return has_terrain(request) ? 4 : 0;
+    if (is_surface(request.kind))
+        return request.kind == Kind::terrain ? 4 : 0;
     return 2 * std::ranges::max(request.lobes, {}, &noise::Lobe::longest_radius).longest_radius();
 }
 
 Request from_above(Request request) {
-    if (auto* terrain = std::get_if<Terrain>(&request.view))
-        terrain->perspective = false;
+    if (request.kind == Kind::terrain)
+        request.view.projection = Projection::flat;
     return request;
 }
 
 double terrain_unit(const Request& request) {
-    const double extent = std::get<Terrain>(request.view).extent;
-    return extent > 0 ? extent * request.scale / request.width : 1;
+    return request.extent > 0 ? request.extent * request.scale / request.width : 1;
 }
 
 double erosion_reach(const Request& request) {
@@ -47,19 +40,22 @@ double erosion_reach(const Request& request) {
 }
 
 std::vector<std::string> channels(const Request& request, bool normals) {
-    if (has_sea(request))
+    std::vector<std::string> names{"Y"};
+    switch (request.kind) {
+    case Kind::sea:
         return {passes::ocean_channels.begin(), passes::ocean_channels.end()};
-    if (has_terrain(request))
+    case Kind::terrain:
         return {terrain_channels.begin(), terrain_channels.end()};
-    if (has_material(request)) {
-        std::vector<std::string> names(material_channels.begin(), material_channels.end());
-        if (in_space(request)) {
+    case Kind::material:
+        names.assign(material_channels.begin(), material_channels.end());
+        if (request.view.in_space()) {
             names.resize(names.size() - 2);
             names.push_back("A");
         }
         return names;
+    case Kind::noise:
+        break;
     }
-    std::vector<std::string> names{"Y"};
     if (request.colour)
         names = {"R", "G", "B"};
     if (request.quadrature)
@@ -70,7 +66,7 @@ std::vector<std::string> channels(const Request& request, bool normals) {
         names.insert(names.end(), {"phase", "intensity"});
     if (normals)
         names.insert(names.end(), {"normal.x", "normal.y", "normal.z", "gradient.z"});
-    if (in_space(request))
+    if (request.view.in_space())
         names.push_back("A");
     else if (request.filter)
         names.push_back("removed");

@@ -10,55 +10,74 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace gabor::render {
 
-/// The plane: pixel (x, y), with y growing downwards, shows the noise at ((x + 0.5) / scale, (y + 0.5) /
-/// scale) kernel radii.
-struct Plane {
-    bool tileable = false; ///< opposite edges match; each side must be at least 2 kernel radii
-    bool operator==(const Plane&) const = default;
+/// What a picture shows.
+enum class Kind {
+    noise,
+    material, ///< the one that Request::material names
+    terrain,  ///< eroded hills, which are about four kernel radii wide
+    sea       ///< water under a clear sky
 };
 
-/// A plane in perspective under an empty sky, with the request's scale at its bottom row.
-struct Horizon {
-    bool operator==(const Horizon&) const = default;
+/// Whether pictures of a kind show a surface in the light, in colour, instead of the values of a noise.
+constexpr bool is_surface(Kind kind) {
+    return kind != Kind::noise;
+}
+
+/// Whether a kind fills any plane or body, instead of being a place with views of its own.
+constexpr bool is_pattern(Kind kind) {
+    return kind == Kind::noise || kind == Kind::material;
+}
+
+/// How a picture shows its kind.
+enum class Projection {
+    flat,    ///< from above: pixel (x, y), y growing downwards, shows (x + 0.5, y + 0.5) / scale kernel radii
+    horizon, ///< the plane in perspective under an empty sky, with the request's scale at its bottom row
+    slice,   ///< a cut through noise in space: the plane z = depth
+    sphere,  ///< around the z axis, fitting the shorter side; the scale applies at the nearest point
+    torus,   ///< around the z axis, fitting the shorter side
+    place    ///< terrain or a sea in perspective under a sky
 };
 
-/// A cut through noise in space: the plane z = depth.
-struct Slice {
-    double depth = 0; ///< depth in kernel radii
-    bool operator==(const Slice&) const = default;
+/// A camera that turns around a body, around the middle of the terrain seen from above, or above a sea.
+struct Orbit {
+    double yaw = 0;    ///< azimuth in degrees
+    double pitch = 30; ///< degrees above the equator or the ground, or by which it looks down on a sea
+    double zoom = 1;   ///< 1 fits a body to the picture, or shows about as much as the flat view
+    double focal_length = 28.8; ///< of a place, in mm: see `focal_ratio`
+    double altitude = 8;        ///< above a sea, in metres
+    bool operator==(const Orbit&) const = default;
 };
 
-enum class Shape { sphere, torus };
+/// The camera that shows a kind unless asked for otherwise.
+constexpr Orbit default_orbit(Kind kind) {
+    return kind == Kind::terrain ? Orbit{215, 20} : kind == Kind::sea ? Orbit{250, 6} : Orbit{};
+}
 
-/// A sphere or a torus around the z axis, in perspective. It fits the shorter side of the picture; the scale
-/// applies at the nearest point of a sphere.
-struct Body {
-    Shape shape = Shape::sphere;
-    bool solid = false; ///< carved out of noise in space; otherwise waves lie in the tangent plane
-    double yaw = 0;     ///< camera azimuth, in degrees
-    double pitch = 30;  ///< camera elevation above the equator, in degrees
-    double zoom = 1;    ///< 1 fits the body to the picture
-    bool operator==(const Body&) const = default;
+struct View {
+    Projection projection = Projection::flat;
+    bool tileable = false; ///< opposite edges of a flat view match
+    double depth = 0;      ///< of a slice, in kernel radii
+    bool solid = false;    ///< a body carved out of noise in space; otherwise waves lie in the tangent plane
+    Orbit orbit = {};
+    bool operator==(const View&) const = default;
+
+    bool is_body() const { return projection == Projection::sphere || projection == Projection::torus; }
+    /// Whether the view is a plane seen from straight above.
+    bool is_flat() const { return projection == Projection::flat || projection == Projection::slice; }
+    /// Whether the view shows a pattern in space.
+    bool in_space() const { return projection == Projection::slice || is_body(); }
+    /// Whether waves run along a body's surface instead of through it.
+    bool along_surface() const { return is_body() && !solid; }
+    /// Whether the camera turns around what the view shows.
+    bool has_orbit() const { return is_body() || projection == Projection::place; }
+    bool has_horizon() const { return projection == Projection::horizon; }
 };
 
-/// Eroded hills, which are about four kernel radii wide.
-struct Terrain {
-    bool perspective = false; ///< shown in perspective under a sky; otherwise from above
-    double extent = 0;     ///< width of the picture in the unit of heights; 0 gives heights in kernel radii
-    bool tileable = false; ///< opposite edges match; only from above
-    double yaw = 215;      ///< camera azimuth in degrees; only in perspective
-    double pitch = 20;     ///< camera elevation, in degrees
-    double zoom = 1;       ///< 1 shows about as much as the view from above
-    double focal_length = 28.8; ///< of the camera, in mm: see `focal_ratio`
-    bool operator==(const Terrain&) const = default;
-};
-
-/// A sea in perspective under a clear sky. The wind blows along +x.
+/// The waves of a sea. The wind blows along +x.
 struct Sea {
     double wind = 10;            ///< metres per second
     double fetch = 200000;       ///< metres of open water upwind
@@ -67,11 +86,6 @@ struct Sea {
     double swell_direction = 60; ///< where it goes: degrees from +x towards +y
     int loop_seconds = 0;        ///< after which all repeats, a power of 2, or 0
     double seconds = 0;          ///< time
-    double altitude = 8;         ///< of the camera, in metres
-    double yaw = 250;            ///< camera azimuth in degrees
-    double pitch = 6;            ///< angle by which the camera looks down, in degrees
-    double zoom = 1;             ///< factor of the focal length
-    double focal_length = 28.8;  ///< of the camera, in mm: see `focal_ratio`
     bool operator==(const Sea&) const = default;
 };
 
@@ -80,8 +94,6 @@ inline constexpr std::array<std::string_view, 3> environments{"room", "overcast"
 
 /// What can cover terrain, as in shaders/passes/landscape.glsl.
 inline constexpr std::array<std::string_view, 4> covers{"alpine", "meadow", "desert", "badlands"};
-
-using View = std::variant<Plane, Horizon, Slice, Body, Terrain, Sea>;
 
 /// The value of `material` that draws the noise itself.
 constexpr std::string_view no_material = "none";
@@ -98,13 +110,16 @@ struct Request {
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
     double evolution = 0; ///< of the noise in place, which repeats after 1; see Sea::seconds
-    View view = Plane();
-    std::string material{no_material}; ///< drawn in place of the noise; see render/request/material.hpp
+    Kind kind = Kind::noise;
+    View view = {};
+    std::string material{no_material}; ///< `no_material` unless the kind is a material; see material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
                                                                  ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
-    bool boards = false;    ///< lay the material as planks or tiles
+    bool boards = false; ///< lay the material as planks or tiles
+    Sea sea = {};
+    double extent = 0;      ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
     int cover = 0;          ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
@@ -121,46 +136,6 @@ struct Request {
 
     bool operator==(const Request&) const = default;
 };
-
-/// Tells whether a view looks straight down on the plane, a slice or terrain.
-bool is_flat(const View& view);
-
-/// Tells whether the picture is a plane whose opposite edges match.
-inline bool is_tiled(const Request& request) {
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    return plane && plane->tileable;
-}
-
-/// Tells whether the view is a horizon.
-inline bool in_perspective(const Request& request) {
-    return std::holds_alternative<Horizon>(request.view);
-}
-
-/// Tells whether the waves run along a body's surface instead of through it.
-inline bool along_surface(const Request& request) {
-    const Body* body = std::get_if<Body>(&request.view);
-    return body && !body->solid;
-}
-
-/// Tells whether the view shows noise in space: a slice or a body.
-inline bool in_space(const Request& request) {
-    return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
-}
-
-/// Tells whether terrain is drawn in place of the noise.
-inline bool has_terrain(const Request& request) {
-    return std::holds_alternative<Terrain>(request.view);
-}
-
-/// Tells whether a sea is drawn in place of the noise.
-inline bool has_sea(const Request& request) {
-    return std::holds_alternative<Sea>(request.view);
-}
-
-/// Tells whether a material, terrain or a sea is drawn in place of the noise.
-inline bool has_material(const Request& request) {
-    return request.material != no_material || has_terrain(request) || has_sea(request);
-}
 
 /// Returns the same terrain from above instead of in perspective, or any other request unchanged.
 Request from_above(Request request);
@@ -187,7 +162,7 @@ std::array<double, 2> light_direction(const Request& request);
 
 /// The recipe that draws the request; in space, always `lattice`.
 inline noise::Recipe drawing_recipe(const Request& request) {
-    return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
+    return request.view.in_space() ? noise::find_recipe("lattice") : request.recipe;
 }
 
 /// Tells whether pixels can be filtered: in the plane, only with the `lattice` recipe.

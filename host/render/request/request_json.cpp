@@ -48,7 +48,7 @@ namespace gabor::render {
 
 namespace {
 
-using Kind = Parameter::Kind;
+using Type = Parameter::Type;
 using json = nlohmann::ordered_json;
 using noise::Lobe;
 
@@ -68,20 +68,20 @@ Value value_of(const Parameter& p, const json& value) {
         if (!holds)
             throw RequestError(fmt::format("{} '{}': expected {}", p.name, dumped(value), accepted(p)));
     };
-    switch (p.kind) {
-    case Kind::flag:
+    switch (p.type) {
+    case Type::flag:
         must(value.is_boolean());
         return value.get<bool>();
-    case Kind::integer:
+    case Type::integer:
         must(value.is_number_integer());
         return value.get<double>();
-    case Kind::number:
-    case Kind::angle:
+    case Type::number:
+    case Type::angle:
         must(value.is_number());
         return value.get<double>();
-    case Kind::lobes:
+    case Type::lobes:
         return lobes_of(value);
-    case Kind::colour:
+    case Type::colour:
         if (value.is_string())
             return with_prefix(fmt::format("{} ", p.name), [&] { return read(p, value.get<std::string>()); });
         must(value.is_array() && value.size() == 3 &&
@@ -94,7 +94,7 @@ Value value_of(const Parameter& p, const json& value) {
 }
 
 json json_of(const Parameter& p, const Value& value) {
-    if (p.kind == Kind::integer)
+    if (p.type == Type::integer)
         return static_cast<std::int64_t>(std::get<double>(value));
     return std::visit([](const auto& held) { return json(held); }, value);
 }
@@ -140,7 +140,7 @@ std::string to_json(const Request& request) {
     const bool by_values =
         request.lobes.size() == 1 && lobe.power == 1 && lobe.radii() == std::array{1.0, 1.0};
     for (const Parameter& p : parameters())
-        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && by_values))
+        if (const std::optional<Value> value = p.get(request); value && !(p.type == Type::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
     if (request.colour)
         object["colour"] = json_of(*request.colour);
