@@ -22,6 +22,8 @@ namespace gabor::cli {
 
 /// Each of these functions adds one subcommand, whose callback does the work.
 void add_render_command(CLI::App& app);
+void add_maps_command(CLI::App& app);
+void add_texture_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_erode_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
@@ -56,6 +58,9 @@ void add_parameter(CLI::App& command, ParameterOptions& options, const render::P
 
 /// Returns the values of the options that the user gave. Throws a RequestError that names an invalid option.
 render::Values given_values(const ParameterOptions& options);
+
+/// Tells whether the user gave the option of a parameter.
+bool is_given(const ParameterOptions& options, std::string_view name);
 
 /// Throws RequestError with the message "OPTION 'TEXT': expected ACCEPTED".
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);

@@ -158,12 +158,6 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     return map;
 }
 
-bool is_given(const ErodeOptions& options, std::string_view name) {
-    return std::ranges::any_of(options.parameters, [name](const auto& each) {
-        return each.first->name == name && each.second->count() > 0;
-    });
-}
-
 // Makes erosion change heights by at most an eighth of their range.
 void limit_strength(render::Request& request, const Map& map) {
     const double most = (map.smoothed.range[1] - map.smoothed.range[0]) / 8;
@@ -269,7 +263,7 @@ void erode(const ErodeOptions& options) {
     render::Request request = request_of(options, extent);
     const Map map = map_of(options, open, format, heights, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));
-    if (!is_given(options, "strength"))
+    if (!is_given(options.parameters, "strength"))
         limit_strength(request, map);
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};

@@ -91,6 +91,11 @@ render::Values given_values(const ParameterOptions& options) {
     return values;
 }
 
+bool is_given(const ParameterOptions& options, std::string_view name) {
+    return std::ranges::any_of(
+        options, [&](const auto& each) { return each.first->name == name && each.second->count() > 0; });
+}
+
 void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
     throw RequestError(fmt::format("{} '{}': expected {}", option, text, accepted));
 }

@@ -303,7 +303,7 @@ bool has_maps(const Request& request) {
 void check_maps(const Request& request) {
     if (!has_maps(request))
         throw RequestError(
-            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
+            "maps require either --view terrain or a material in --view flat, such as --material wood");
 }
 
 void set_side(Request& request, int side) {

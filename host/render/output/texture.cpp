@@ -19,14 +19,14 @@ namespace gabor::render {
 
 void check_texture(const Request& request, const image::Rect& region) {
     if (!is_pattern(request.kind) || request.view.projection != Projection::flat)
-        throw RequestError("--texture requires --view flat");
+        throw RequestError("a texture requires --view flat, with noise or a material");
     if (!std::has_single_bit(static_cast<unsigned>(region.width)) ||
         !std::has_single_bit(static_cast<unsigned>(region.height)))
-        throw RequestError(fmt::format("--texture of {} x {} pixels: each side must be a power of two",
+        throw RequestError(fmt::format("a texture of {} x {} pixels: each side must be a power of two",
                                        region.width, region.height));
     if (region.x % region.width != 0 || region.y % region.height != 0 || request.width % region.width != 0 ||
         request.height % region.height != 0)
-        throw RequestError(fmt::format("--texture with --region {},{},{},{}: the region must be one of the "
+        throw RequestError(fmt::format("a texture with --region {},{},{},{}: the region must be one of the "
                                        "equal tiles that make up the picture of {} x {} pixels",
                                        region.x, region.y, region.width, region.height, request.width,
                                        request.height));
@@ -119,7 +119,7 @@ void render_texture(const vulkan::Device& device, const Request& request, const 
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const image::Advance& advance) {
     constexpr std::string_view accepted =
-        "expected regions of one picture's levels, from gabor render --level";
+        "expected regions of one picture's levels, from gabor texture --level";
     // The files of each level, largest level first.
     std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
     for (const std::filesystem::path& path : regions) {
