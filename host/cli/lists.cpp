@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "names.hpp"
 #include "noise/recipe.hpp"
 #include "render/request/material.hpp"

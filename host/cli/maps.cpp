@@ -1,4 +1,5 @@
 #include "render/output/maps.hpp"
+#include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/request.hpp"
 #include "cli/terminal.hpp"

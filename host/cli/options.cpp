@@ -1,4 +1,4 @@
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 
 #include "render/request/load.hpp"
 #include "render/request/material.hpp"

@@ -1,3 +1,4 @@
+#include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/request.hpp"
 #include "cli/terminal.hpp"

@@ -95,17 +95,11 @@ int frames_of(const std::optional<std::string>& frames) {
 }
 
 std::string subject(const render::Request& request) {
-    switch (request.kind) {
-    case render::Kind::terrain:
-        return "terrain";
-    case render::Kind::sea:
-        return "ocean";
-    case render::Kind::material:
-        return "material " + request.material;
-    case render::Kind::noise:
-        break;
-    }
-    return fmt::format("recipe {}", render::drawing_recipe(request).name);
+    using render::Kind;
+    return request.kind == Kind::terrain    ? "terrain"
+           : request.kind == Kind::sea      ? "ocean"
+           : request.kind == Kind::material ? "material " + request.material
+                                            : fmt::format("recipe {}", render::drawing_recipe(request).name);
 }
 
 } // namespace gabor::cli

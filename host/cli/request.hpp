@@ -2,7 +2,7 @@
 
 // The options that describe a request, which render, maps and texture share.
 
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "image/exr.hpp"
 
 namespace gabor::cli {

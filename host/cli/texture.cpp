@@ -1,4 +1,5 @@
 #include "render/output/texture.hpp"
+#include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/request.hpp"
 #include "cli/terminal.hpp"

@@ -1,6 +1,10 @@
 #include "viewer/app.hpp"
 
 #include "viewer/document_json.hpp"
+#include "viewer/file_dialog.hpp"
+#include "viewer/input.hpp"
+#include "viewer/overlays.hpp"
+#include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
 #include "error.hpp"

@@ -58,7 +58,7 @@ std::string path_from_home(const std::filesystem::path& path) {
 
 bool can_export_maps(const render::Request& request) {
     return render::has_maps(render::from_above(request)) ||
-           (request.kind == render::Kind::noise && request.view.projection == render::Projection::flat);
+           (!render::is_surface(request.kind) && request.view.projection == render::Projection::flat);
 }
 
 ExportTarget ExportTarget::of(const Document& document) const {

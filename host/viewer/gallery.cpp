@@ -1,8 +1,9 @@
-#include "viewer/panels.hpp"
+#include "viewer/gallery.hpp"
 
 #include "image/picture.hpp"
 #include "render/request/load.hpp"
 #include "viewer/embedded.hpp"
+#include "viewer/widgets.hpp"
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>

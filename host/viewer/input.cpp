@@ -1,6 +1,8 @@
+#include "viewer/input.hpp"
+
 #include "viewer/document_json.hpp"
-#include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/widgets.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "viewer/photograph.hpp"
 
 #include "viewer/file_dialog.hpp"
-#include "viewer/panels.hpp"
+#include "viewer/widgets.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -2,8 +2,13 @@
 
 #include "viewer/display.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/gallery.hpp"
+#include "viewer/input.hpp"
+#include "viewer/overlays.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/ramp_editor.hpp"
+#include "viewer/widgets.hpp"
 
 #include "../image/scratch_folder.hpp"
 #include "image/png.hpp"

@@ -2,7 +2,7 @@
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/panels.hpp"
+#include "viewer/gallery.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
 

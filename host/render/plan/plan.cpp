@@ -23,21 +23,11 @@ namespace {
 constexpr double least_baked_cell = 8; // in pixels; smaller cells would make blocks too small
 
 std::uint32_t view_constant(const Request& request) {
-    switch (request.view.projection) {
-    case Projection::horizon:
-        return passes::view_horizon;
-    case Projection::slice:
-        return passes::view_slice;
-    case Projection::sphere:
-        return passes::view_sphere;
-    case Projection::torus:
-        return passes::view_torus;
-    case Projection::place:
-        return passes::view_landscape;
-    case Projection::flat:
-        break;
-    }
-    return request.kind == Kind::terrain ? passes::view_terrain : passes::view_flat;
+    constexpr std::array views{passes::view_flat,   passes::view_horizon, passes::view_slice, // by projection
+                               passes::view_sphere, passes::view_torus,   passes::view_landscape};
+    return is_pattern(request.kind) || !request.view.is_flat()
+               ? views.at(static_cast<std::size_t>(request.view.projection))
+               : passes::view_terrain;
 }
 
 // The constants of a noise. `channels` are the picture's.

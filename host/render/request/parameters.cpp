@@ -69,8 +69,10 @@ void put_view(Request& request, std::string_view name) {
 // A material takes the place of another pattern; `check` refuses it elsewhere.
 void put_material(Request& request, std::string_view name) {
     request.material = name;
-    if (is_pattern(request.kind))
-        request.kind = name == no_material ? Kind::noise : Kind::material;
+    if (name == no_material)
+        request.kind = request.kind == Kind::material ? Kind::noise : request.kind;
+    else if (is_pattern(request.kind))
+        request.kind = Kind::material;
 }
 
 Request without_material(Request request) {
