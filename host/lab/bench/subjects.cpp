@@ -31,15 +31,19 @@ void add_yardsticks(std::vector<Subject>& all) {
     auto add = [&all, number = 0u](std::string_view name, double kernels, bool has_loops = false) mutable {
         all.push_back({std::string(name), kernels, yardsticks_spirv, nullptr, {number++}});
         all.back().has_loops = has_loops;
-        all.back().measure_cvm = name == advice_yardstick || name == seminal_yardstick;
+        all.back().measure_cvm =
+            name == advice_yardstick || name == seminal_yardstick || name == dense_yardstick;
     };
     add(perlin_yardstick, 0);
+    add("Perlin noise and gradient", 0);
+    add("Perlin fBm and gradient, 5 octaves", 0);
     add(simplex_yardstick, 0);
     add(advice_yardstick, 18);
     add("Gabor noise of 72 kernels", 72, true);
     add("phasor noise, 144 kernels", 144, true);
     add("stripes of 16 random splats", 16, true);
-    add(seminal_yardstick, 270, true);
+    add(seminal_yardstick, 183, true);
+    add(dense_yardstick, 270, true);
 }
 
 // The options are those of passes/bench/erosion.comp: splats and octaves.
