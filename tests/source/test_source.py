@@ -27,6 +27,38 @@ class Format(unittest.TestCase):
         self.assertEqual((off, result.returncode), ([], 0), result.stderr)
 
 
+class Layers(unittest.TestCase):
+    """Each library uses only those below it, so that no two include each other."""
+
+    BELOW = {"noise": "", "statistics": "", "vulkan": "", "image": "", "render/request": "noise image",
+             "render/plan": "noise image vulkan render/request",
+             "render/output": "noise image vulkan render/request render/plan",
+             "fit": "noise image statistics render/request",
+             "cli": "noise image statistics vulkan render/request render/plan render/output fit",
+             "viewer": "noise image vulkan render/request render/plan render/output fit",
+             "lab": "noise image statistics vulkan render/request render/plan render/output cli"}
+
+    def test_folders_include_only_those_below(self):
+        host, seen, wrong = ROOT / "host", set(), []
+        folder_of = lambda path: next((folder for folder in self.BELOW if path.startswith(f"{folder}/")), "")
+        for path in sorted(path for path in host.rglob("*") if path.suffix in (".cpp", ".hpp", ".in")):
+            name = path.relative_to(host).as_posix()
+            folder = folder_of(name)
+            for included in re.findall(r'^#include "(.*)"', path.read_text(), re.MULTILINE):
+                other = folder_of(included)
+                if other and other != folder:
+                    seen.add(folder)
+                    if other not in self.BELOW.get(folder, "").split():
+                        wrong.append(f"{name} includes {included}")
+        self.assertEqual(wrong, [])
+        self.assertGreater(len(seen), 5)
+
+    def test_folders_stand_in_order(self):
+        order = list(self.BELOW)
+        self.assertEqual([(folder, other) for folder, below in self.BELOW.items() for other in below.split()
+                          if order.index(other) >= order.index(folder)], [])
+
+
 class Setup(unittest.TestCase):
     """tools/setup where it cannot install packages."""
 

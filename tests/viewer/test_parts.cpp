@@ -2,14 +2,14 @@
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/panels.hpp"
+#include "viewer/gallery.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
 
 #include "error.hpp"
 #include "noise/recipe.hpp"
-#include "render/load.hpp"
-#include "render/parameters.hpp"
+#include "render/request/load.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/ranges.h>
@@ -126,21 +126,21 @@ TEST_CASE("undo keeps a thousand steps, and the last of them") {
 
 // A value of the parameter other than the request's, or nothing if it has only one.
 std::optional<render::Value> other_value(const render::Parameter& parameter, const render::Request& request) {
-    using Kind = render::Parameter::Kind;
+    using Type = render::Parameter::Type;
     const render::Value now = *parameter.get(request);
-    switch (parameter.kind) {
-    case Kind::flag:
+    switch (parameter.type) {
+    case Type::flag:
         return !std::get<bool>(now);
-    case Kind::integer:
-    case Kind::number:
-    case Kind::angle: {
+    case Type::integer:
+    case Type::number:
+    case Type::angle: {
         const auto [low, high] = parameter.slider;
         const double middle = std::floor(low + 0.5 * (high - low));
         return std::get<double>(now) == middle ? high : middle;
     }
-    case Kind::colour:
+    case Type::colour:
         return std::array{0.1, 0.2, 0.3};
-    case Kind::choice:
+    case Type::choice:
         for (const std::string_view choice : parameter.choices)
             if (std::string(choice) != std::get<std::string>(now))
                 return std::string(choice);
