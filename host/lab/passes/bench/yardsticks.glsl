@@ -99,7 +99,7 @@ float seminal_noise(vec2 p, float frequency, float orientation, uint seed) {
             }
         }
     }
-    return 0.634 * sum;
+    return 0.63305 * sum; // variance 1: 30 impulses, E[weight^2] = 1/3, and the integral of the squared kernel, 0.2495
 }
 
 float yardstick_impulse(vec2 offset, vec2 wave, inout uint generator) {
@@ -132,7 +132,7 @@ float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     sum += yardstick_pair(cell + ivec2(-1, 1), f - vec2(-1.0, 1.0), wave, seed);
     sum += yardstick_pair(cell + ivec2(0, 1), f - vec2(0.0, 1.0), wave, seed);
     sum += yardstick_pair(cell + ivec2(1, 1), f - vec2(1.0, 1.0), wave, seed);
-    return 1.416 * sum;
+    return 1.41553 * sum;
 }
 
 // Gabor noise as 3D packages compute it: a complex sum over 8 impulses in each of 9 cells.
@@ -153,7 +153,7 @@ float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
             }
         }
     }
-    return 0.708 * sum.y;
+    return 0.70777 * sum.y;
 }
 
 // Tricard et al., "Procedural phasor noise", 2019: the sine of the phase of a complex sum over 16 impulses in each of 9
