@@ -1,6 +1,7 @@
 """Checks README and docs: links have targets, code to paste compiles, scripts do what they say, and figures match their source page."""
 
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -240,6 +241,24 @@ class Scripts(unittest.TestCase):
         needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', DEMO.read_text())))
         self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
         json.loads(re.search(r'(?s) id="materials.json">\n(.*?)</script>', DEMO.read_text())[1])
+
+    def test_a_dragged_lobe_has_the_frequency_and_the_angle_of_its_place(self):
+        places = [(3, 1), (-2, 2), (0.5, 4), (-5, 0.25)]
+        dragged = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(() => {{
+            showTab(Object.keys(TABS).find(name => TABS[name].lobes));
+            values().kind = "lobes";
+            values().count = 3;
+            state.language = "GLSL";
+            return JSON.stringify({[list(place) for place in places]}.map((at, i) => {{
+                dragged = i % 3;
+                dragLobe(at);
+                return [...lobesInPlane()[i % 3].slice(0, 2), copied()];
+            }}));
+        }})()"""))
+        for i, ((x, y), (shown_x, shown_y, code)) in enumerate(zip(places, dragged, strict=True)):
+            frequency, angle = map(float, re.search(rf"lobe\[{i % 3}\] = gabor_lobe\((\S+), (\S+), ", code).groups())
+            for value, of in ((shown_x, x), (shown_y, y), (frequency * math.cos(angle), x), (frequency * math.sin(angle), y)):
+                self.assertAlmostEqual(value, of, delta=0.06, msg=f"{x}, {y}")
 
     def test_copied_code_compiles(self):
         before = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
