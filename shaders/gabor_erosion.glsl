@@ -114,14 +114,6 @@ void gabor_impl_splines(float t, out vec4 value, out vec4 slope, out vec4 curvat
     curvature = vec4(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
 }
 
-uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
-    int first = gabor_impl_wrap(index - 1, period);
-    int second = gabor_impl_next_node(first, period);
-    int third = gabor_impl_next_node(second, period);
-    return uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
-}
-
 // Two noises and their derivatives.
 struct GaborImplHills {
     vec2 value;

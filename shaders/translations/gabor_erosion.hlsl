@@ -133,14 +133,6 @@ void gabor_impl_splines(float t, out float4 value, out float4 slope, out float4 
     curvature = float4(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
 }
 
-uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
-    int first = gabor_impl_wrap(index - 1, period);
-    int second = gabor_impl_next_node(first, period);
-    int third = gabor_impl_next_node(second, period);
-    return uint4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
-}
-
 // Two noises and their derivatives.
 struct GaborImplHills {
     float2 value;

@@ -120,14 +120,6 @@ GABOR_INLINE void gabor_impl_splines(float t, gabor_vec4& value, gabor_vec4& slo
     curvature = gabor_vec4(u, 3.0f * t - 2.0f, 3.0f * u - 2.0f, t);
 }
 
-GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::uint32_t salt) {
-    int first = gabor_impl_wrap(index - 1, period);
-    int second = gabor_impl_next_node(first, period);
-    int third = gabor_impl_next_node(second, period);
-    return gabor_uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
-}
-
 // Two noises and their derivatives.
 struct GaborImplHills {
     gabor_vec2 value;

@@ -110,14 +110,6 @@ fn gabor_impl_splines(t: f32, value: ptr<function, vec4f>, slope: ptr<function, 
     *curvature = vec4f(u, 3.0 * t - 2.0, 3.0 * u - 2.0, t);
 }
 
-fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4u {
-    let first = gabor_impl_wrap(index - 1, period);
-    let second = gabor_impl_next_node(first, period);
-    let third = gabor_impl_next_node(second, period);
-    return vec4u(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
-}
-
 // Two noises and their derivatives.
 struct GaborImplHills {
     value: vec2f,

@@ -11,6 +11,7 @@
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
 //     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
+//     a value in [0, 1], or a share of area    gabor_uniform
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -80,6 +81,11 @@
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
+// float gabor_uniform(float noise)
+// float gabor_uniform_slope(float noise)
+//     The noise's rank among all values, uniform in [0, 1], within 2e-5: gabor_uniform(n) < 0.3 is 30 % of the area.
+//     And the derivative of the rank by the noise, the density of the normal distribution.
+
 // uint gabor_derived_seed(uint seed, int index)
 //     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
 //     one seed, frequencies 4 and 8 have a correlation of 0.63 to 0.95 at nodes of the lattice.
@@ -114,6 +120,25 @@ GaborPlace GaborPlace_of(int2 cell, float2 local, float2 cells_per_radius, int2 
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31. Opposite edges differ by up to 1.5e-4 where a
 //     compiler contracts multiplications and additions.
+
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
+struct GaborPlace3d {
+    int3 cell;
+    float3 local;
+    float3 cells_per_radius;
+    int3 period;
+    float evolution;
+};
+
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 cells_per_radius, int3 period, float evolution) {
+    GaborPlace3d made = {cell, local, cells_per_radius, period, evolution};
+    return made;
+}
+
+// GaborPlace3d gabor_place_3d_at(float3 p)
+// GaborPlace3d gabor_place_3d(int3 cell, float3 local)
+// GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period)
+//     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
 // float2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
@@ -196,6 +221,14 @@ uint gabor_impl_salt(uint seed) {
 uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
+}
+
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
+uint gabor_impl_slice_word(uint row, uint slice) {
+    return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // The standard deviation of each part of an amplitude.
@@ -309,6 +342,15 @@ int gabor_impl_wrap(int index, int period) {
 // The next index, wrapped into a period without a division.
 int gabor_impl_next_node(int index, int period) {
     return period == 0 || index + 1 < period ? index + 1 : 0;
+}
+
+// The words of four nodes along an axis; the second has the index.
+uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
+    int first = gabor_impl_wrap(index - 1, period);
+    int second = gabor_impl_next_node(first, period);
+    int third = gabor_impl_next_node(second, period);
+    return uint4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // The nodes along an axis whose windows reach a point.
@@ -450,6 +492,20 @@ GaborPlace gabor_place_tiled(float2 p, float2 period) {
     return place;
 }
 
+GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
+    return GaborPlace3d_of(cell, local, (float3)(GABOR_CELLS_PER_RADIUS), (int3)(0), 0.0);
+}
+
+GaborPlace3d gabor_place_3d_at(float3 p) {
+    return gabor_place_3d((int3)(0), p * GABOR_CELLS_PER_RADIUS);
+}
+
+GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period) {
+    GaborPlace xy = gabor_place_tiled(p.xy, period.xy), z = gabor_place_tiled(p.zz, period.zz);
+    return GaborPlace3d_of((int3)(0), float3(xy.local, z.local.x), float3(xy.cells_per_radius, z.cells_per_radius.x),
+                        int3(xy.period, z.period.x), 0.0);
+}
+
 float2 gabor_wave_vector(float frequency, float orientation) {
     return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)); // 1/(2 pi)
 }
@@ -499,6 +555,15 @@ float3 gabor_stripes(float2 p, float2 wave, float sharpness, uint seed) {
 
 float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
+}
+
+float gabor_uniform(float noise) {
+    float x = clamp(noise, -8.0, 8.0), y = x * x;
+    return 1.0 / (1.0 + exp(-x * (1.5954352 + y * (0.073597476 - y * 0.00063190124)))); // fit: see tools/constants.py
+}
+
+float gabor_uniform_slope(float noise) {
+    return 0.39894228 * exp(-0.5 * min(noise * noise, 150.0)); // 1/sqrt(2 pi)
 }
 
 #endif

@@ -12,6 +12,7 @@
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
 //     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
+//     a value in [0, 1], or a share of area    gabor_uniform
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -85,6 +86,11 @@
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
+// float gabor_uniform(float noise)
+// float gabor_uniform_slope(float noise)
+//     The noise's rank among all values, uniform in [0, 1], within 2e-5: gabor_uniform(n) < 0.3 is 30 % of the area.
+//     And the derivative of the rank by the noise, the density of the normal distribution.
+
 // uint gabor_derived_seed(uint seed, int index)
 //     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
 //     one seed, frequencies 4 and 8 have a correlation of 0.63 to 0.95 at nodes of the lattice.
@@ -114,6 +120,20 @@ struct GaborPlace {
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31. Opposite edges differ by up to 1.5e-4 where a
 //     compiler contracts multiplications and additions.
+
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
+struct GaborPlace3d {
+    gabor_ivec3 cell;
+    gabor_vec3 local;
+    gabor_vec3 cells_per_radius;
+    gabor_ivec3 period;
+    float evolution;
+};
+
+// GaborPlace3d gabor_place_3d_at(vec3 p)
+// GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
+// GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period)
+//     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
 // vec2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
@@ -191,6 +211,14 @@ GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed) {
 GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
     std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
     return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
+}
+
+// Like GABOR_IMPL_ROWS, for slices.
+#define GABOR_IMPL_SLICES 0x27d4eb2fu
+
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
+GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
+    return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // The standard deviation of each part of an amplitude.
@@ -304,6 +332,15 @@ GABOR_INLINE int gabor_impl_wrap(int index, int period) {
 // The next index, wrapped into a period without a division.
 GABOR_INLINE int gabor_impl_next_node(int index, int period) {
     return period == 0 || index + 1 < period ? index + 1 : 0;
+}
+
+// The words of four nodes along an axis; the second has the index.
+GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::uint32_t salt) {
+    int first = gabor_impl_wrap(index - 1, period);
+    int second = gabor_impl_next_node(first, period);
+    int third = gabor_impl_next_node(second, period);
+    return gabor_uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // The nodes along an axis whose windows reach a point.
@@ -445,6 +482,20 @@ GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
     return place;
 }
 
+GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
+    return GaborPlace3d{cell, local, gabor_vec3(GABOR_CELLS_PER_RADIUS), gabor_ivec3(0), 0.0f};
+}
+
+GABOR_INLINE GaborPlace3d gabor_place_3d_at(gabor_vec3 p) {
+    return gabor_place_3d(gabor_ivec3(0), p * GABOR_CELLS_PER_RADIUS);
+}
+
+GABOR_INLINE GaborPlace3d gabor_place_3d_tiled(gabor_vec3 p, gabor_vec3 period) {
+    GaborPlace xy = gabor_place_tiled(p.xy(), period.xy()), z = gabor_place_tiled(p.zz(), period.zz());
+    return GaborPlace3d{gabor_ivec3(0), gabor_vec3(xy.local, z.local.x), gabor_vec3(xy.cells_per_radius, z.cells_per_radius.x),
+                        gabor_ivec3(xy.period, z.period.x), 0.0f};
+}
+
 GABOR_INLINE gabor_vec2 gabor_wave_vector(float frequency, float orientation) {
     return gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * gabor_cpp_clamp(orientation, -1.0e6f, 1.0e6f)); // 1/(2 pi)
 }
@@ -494,6 +545,15 @@ GABOR_INLINE gabor_vec3 gabor_stripes(gabor_vec2 p, gabor_vec2 wave, float sharp
 
 GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
+}
+
+GABOR_INLINE float gabor_uniform(float noise) {
+    float x = gabor_cpp_clamp(noise, -8.0f, 8.0f), y = x * x;
+    return 1.0f / (1.0f + gabor_cpp_exp(-x * (1.5954352f + y * (0.073597476f - y * 0.00063190124f)))); // fit: see tools/constants.py
+}
+
+GABOR_INLINE float gabor_uniform_slope(float noise) {
+    return 0.39894228f * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise * noise, 150.0f)); // 1/sqrt(2 pi)
 }
 
 #endif

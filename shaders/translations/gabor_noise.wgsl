@@ -12,6 +12,7 @@
 //     noise that evolves in place              gabor_noise_animated
 //     stripes along any directions             gabor_stripes
 //     a phase, for patterns of my own          gabor_turns_intensity(gabor_noise_quadrature(...))
+//     a value in [0, 1], or a share of area    gabor_uniform
 //     to display it                            gabor_unorm
 //     a huge world, or any of these together   a place, then gabor_field
 //
@@ -72,6 +73,11 @@ const_assert !(GABOR_TAPS < 2 || GABOR_TAPS > 4); // GABOR_TAPS must be 2, 3 or 
 // fn gabor_unorm(noise: f32) -> f32
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
+// fn gabor_uniform(noise: f32) -> f32
+// fn gabor_uniform_slope(noise: f32) -> f32
+//     The noise's rank among all values, uniform in [0, 1], within 2e-5: gabor_uniform(n) < 0.3 is 30 % of the area.
+//     And the derivative of the rank by the noise, the density of the normal distribution.
+
 // fn gabor_derived_seed(seed: u32, index: i32) -> u32
 //     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
 //     one seed, frequencies 4 and 8 have a correlation of 0.63 to 0.95 at nodes of the lattice.
@@ -101,6 +107,20 @@ struct GaborPlace {
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31. Opposite edges differ by up to 1.5e-4 where a
 //     compiler contracts multiplications and additions.
+
+// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
+struct GaborPlace3d {
+    cell: vec3i,
+    local: vec3f,
+    cells_per_radius: vec3f,
+    period: vec3i,
+    evolution: f32,
+}
+
+// fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d
+// fn gabor_place_3d(cell: vec3i, local: vec3f) -> GaborPlace3d
+// fn gabor_place_3d_tiled(p: vec3f, period: vec3f) -> GaborPlace3d
+//     Like gabor_place_at, gabor_place and gabor_place_tiled.
 
 // fn gabor_wave_vector(frequency: f32, orientation: f32) -> vec2f
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
@@ -178,6 +198,14 @@ fn gabor_impl_salt(seed: u32) -> u32 {
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     let word = u32(index) * 0x9e3779b1u + salt;
     return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
+}
+
+// Like GABOR_IMPL_ROWS, for slices.
+const GABOR_IMPL_SLICES: u32 = 0x27d4eb2fu;
+
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
+fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
+    return ((row * slice) >> 8u) | 0x800001u;
 }
 
 // The standard deviation of each part of an amplitude.
@@ -271,6 +299,15 @@ fn gabor_impl_wrap(index_in: i32, period: i32) -> i32 {
 // The next index, wrapped into a period without a division.
 fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
     return select(0, index + 1, period == 0 || index + 1 < period);
+}
+
+// The words of four nodes along an axis; the second has the index.
+fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4u {
+    let first = gabor_impl_wrap(index - 1, period);
+    let second = gabor_impl_next_node(first, period);
+    let third = gabor_impl_next_node(second, period);
+    return vec4u(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(third, salt), gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // The nodes along an axis whose windows reach a point.
@@ -414,6 +451,20 @@ fn gabor_place_tiled(p: vec2f, period: vec2f) -> GaborPlace {
     return place;
 }
 
+fn gabor_place_3d(cell: vec3i, local: vec3f) -> GaborPlace3d {
+    return GaborPlace3d(cell, local, vec3f(GABOR_CELLS_PER_RADIUS), vec3i(0), 0.0);
+}
+
+fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d {
+    return gabor_place_3d(vec3i(0), p * GABOR_CELLS_PER_RADIUS);
+}
+
+fn gabor_place_3d_tiled(p: vec3f, period: vec3f) -> GaborPlace3d {
+    let xy = gabor_place_tiled(p.xy, period.xy); let z = gabor_place_tiled(p.zz, period.zz);
+    return GaborPlace3d(vec3i(0), vec3f(xy.local, z.local.x), vec3f(xy.cells_per_radius, z.cells_per_radius.x),
+                        vec3i(xy.period, z.period.x), 0.0);
+}
+
 fn gabor_wave_vector(frequency: f32, orientation: f32) -> vec2f {
     return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)); // 1/(2 pi)
 }
@@ -463,4 +514,13 @@ fn gabor_stripes(p: vec2f, wave: vec2f, sharpness: f32, seed: u32) -> vec3f {
 
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
+}
+
+fn gabor_uniform(noise: f32) -> f32 {
+    let x = clamp(noise, -8.0, 8.0); let y = x * x;
+    return 1.0 / (1.0 + exp(-x * (1.5954352 + y * (0.073597476 - y * 0.00063190124)))); // fit: see tools/constants.py
+}
+
+fn gabor_uniform_slope(noise: f32) -> f32 {
+    return 0.39894228 * exp(-0.5 * min(noise * noise, 150.0)); // 1/sqrt(2 pi)
 }

@@ -38,20 +38,6 @@
 #error gabor_noise_3d.hpp needs GABOR_TAPS 3
 #endif
 
-// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
-struct GaborPlace3d {
-    gabor_ivec3 cell;
-    gabor_vec3 local;
-    gabor_vec3 cells_per_radius;
-    gabor_ivec3 period;
-    float evolution;
-};
-
-// GaborPlace3d gabor_place_3d_at(vec3 p)
-// GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
-// GaborPlace3d gabor_place_3d_tiled(vec3 p, vec3 period)
-//     Like gabor_place_at, gabor_place and gabor_place_tiled.
-
 // A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
 // gradient's component along the normal.
 struct GaborField3d {
@@ -89,20 +75,6 @@ struct GaborField3d {
 // Private implementation
 // ====================================================================================================================
 
-GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
-    return GaborPlace3d{cell, local, gabor_vec3(GABOR_CELLS_PER_RADIUS), gabor_ivec3(0), 0.0f};
-}
-
-GABOR_INLINE GaborPlace3d gabor_place_3d_at(gabor_vec3 p) {
-    return gabor_place_3d(gabor_ivec3(0), p * GABOR_CELLS_PER_RADIUS);
-}
-
-GABOR_INLINE GaborPlace3d gabor_place_3d_tiled(gabor_vec3 p, gabor_vec3 period) {
-    GaborPlace xy = gabor_place_tiled(p.xy(), period.xy()), z = gabor_place_tiled(p.zz(), period.zz());
-    return GaborPlace3d{gabor_ivec3(0), gabor_vec3(xy.local, z.local.x), gabor_vec3(xy.cells_per_radius, z.cells_per_radius.x),
-                        gabor_ivec3(xy.period, z.period.x), 0.0f};
-}
-
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     v = gabor_cpp_clamp(v, -1.0e15f, 1.0e15f);
@@ -125,14 +97,6 @@ GABOR_INLINE void gabor_impl_add_field_3d(GaborField3d& sum, GaborField3d field,
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
-
-// Like GABOR_IMPL_ROWS, for slices.
-#define GABOR_IMPL_SLICES 0x27d4eb2fu
-
-// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
-GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
-    return ((row * slice) >> 8u) | 0x800001u;
-}
 
 // Sums slice k of nodes, as gabor_impl_sum does.
 GABOR_INLINE void gabor_impl_sum_slice(GaborImplAxis x, GaborImplAxis y, GaborImplAxis z, int k, float evolution, gabor_vec4& sum,

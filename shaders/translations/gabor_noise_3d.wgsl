@@ -24,20 +24,6 @@
 
 const_assert GABOR_TAPS == 3; // gabor_noise_3d.wgsl needs GABOR_TAPS 3
 
-// A position in node spacings of the lattice, with a period and an evolution: see GaborPlace.
-struct GaborPlace3d {
-    cell: vec3i,
-    local: vec3f,
-    cells_per_radius: vec3f,
-    period: vec3i,
-    evolution: f32,
-}
-
-// fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d
-// fn gabor_place_3d(cell: vec3i, local: vec3f) -> GaborPlace3d
-// fn gabor_place_3d_tiled(p: vec3f, period: vec3f) -> GaborPlace3d
-//     Like gabor_place_at, gabor_place and gabor_place_tiled.
-
 // A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the
 // gradient's component along the normal.
 struct GaborField3d {
@@ -75,20 +61,6 @@ struct GaborField3d {
 // Private implementation
 // ====================================================================================================================
 
-fn gabor_place_3d(cell: vec3i, local: vec3f) -> GaborPlace3d {
-    return GaborPlace3d(cell, local, vec3f(GABOR_CELLS_PER_RADIUS), vec3i(0), 0.0);
-}
-
-fn gabor_place_3d_at(p: vec3f) -> GaborPlace3d {
-    return gabor_place_3d(vec3i(0), p * GABOR_CELLS_PER_RADIUS);
-}
-
-fn gabor_place_3d_tiled(p: vec3f, period: vec3f) -> GaborPlace3d {
-    let xy = gabor_place_tiled(p.xy, period.xy); let z = gabor_place_tiled(p.zz, period.zz);
-    return GaborPlace3d(vec3i(0), vec3f(xy.local, z.local.x), vec3f(xy.cells_per_radius, z.cells_per_radius.x),
-                        vec3i(xy.period, z.period.x), 0.0);
-}
-
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 fn gabor_impl_unit(v_in: vec3f) -> vec3f {
     var v = v_in;
@@ -112,14 +84,6 @@ fn gabor_impl_add_field_3d(sum: ptr<function, GaborField3d>, field: GaborField3d
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
-
-// Like GABOR_IMPL_ROWS, for slices.
-const GABOR_IMPL_SLICES: u32 = 0x27d4eb2fu;
-
-// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
-fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
-    return ((row * slice) >> 8u) | 0x800001u;
-}
 
 // Sums slice k of nodes, as gabor_impl_sum does.
 fn gabor_impl_sum_slice(x: GaborImplAxis, y_in: GaborImplAxis, z_in: GaborImplAxis, k: i32, evolution: f32,
