@@ -11,7 +11,7 @@ namespace gabor::viewer {
 /// Small pictures of the presets that come with the program, as one picture of square cells, row by row in
 /// the order of render::presets(). Each is in the middle of its cell. `tools/gallery` draws presets.jpg.
 struct PresetPictures {
-    static constexpr int side = 128; ///< side of a small picture, in pixels
+    static constexpr int side = 128; ///< side of a thumbnail, in pixels
     static constexpr int cell = 144;
     static constexpr int columns = 7;
 

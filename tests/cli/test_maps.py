@@ -92,6 +92,12 @@ class Maps(RenderTest):
         for axis, slope in (("x", -above["slope.x"]), ("y", above["slope.y"])):
             np.testing.assert_allclose(maps[f"normal.{axis}"] / maps["normal.z"], slope, rtol=1e-4, atol=1e-5)
         self.assertLess(maps["occlusion"].min(), 0.8)
+        for extent in 8, 8000:
+            self.succeed("render", *(each for each in land if "extent" not in each), f"--extent={extent}", "--maps", "same", "--no-tileable")
+            same = Exr(self.folder / "same/maps.exr").channels
+            np.testing.assert_allclose(same["height"], maps["height"] * extent / 800, rtol=1e-5, atol=1e-6 * extent)
+            for name in maps.keys() - {"height"}:
+                np.testing.assert_allclose(same[name], maps[name], rtol=1e-5, atol=1e-5, err_msg=f"{name} of a land of {extent} m")
 
     def test_tiles_have_no_seam_in_any_map(self):
         _, maps = self.maps("--tileable", material="leather")

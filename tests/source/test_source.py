@@ -81,6 +81,27 @@ class Setup(unittest.TestCase):
                                **{manager: ""})
 
 
+    @unittest.skipUnless(shutil.which("dpkg-query"), "needs dpkg")
+    def test_installs_what_cmake_looks_for(self):
+        """Looks up which package of this system owns the files that CMake finds."""
+        wanted = set(re.findall(r'packages="([^"$]*)', text("tools/setup"))[0].split())
+        installed = wanted | set(re.findall(r"[a-z0-9.+-]+", subprocess.run(["dpkg-query", "-W", "-f", "${Depends}\n", *wanted],
+                                                                            capture_output=True, text=True).stdout))
+        plain = {"JPEG": "include/jpeglib.h", "PNG": "include/png.h", "TIFF": "include/*/tiffio.h", "PkgConfig": "bin/pkg-config",
+                 "Vulkan": "lib/*/libvulkan.so", "X11": "include/X11/Xlib.h", "Catch2": "include/catch2"}
+        lines = "".join(text(f"{folder}CMakeLists.txt") for folder in ("host/", "host/viewer/", "tests/", "tests/viewer/", "shaders/"))
+        names = set(re.findall(r"find_package\((\S+?)[\s)]|pkg_check_modules\(.*GLOBAL ([\w-]+)|find_program\(\S+ (?!NAMES)(\w+)", lines))
+        self.assertGreater(len(names), 15)
+        for name in map("".join, names):
+            places = [plain[name]] if name in plain else [f"{folder}/{file}" for folder in (
+                "bin", "lib/*/cmake/*", "lib/cmake/*", "share/cmake/*", "share/*/cmake", "lib/*/pkgconfig", "share/pkgconfig", "lib/*/cmake")
+                for file in (name, f"{name}Config.cmake", f"{name.lower()}-config.cmake", f"{name}.pc")]
+            files = [file for place in places for file in pathlib.Path("/usr").glob(place) if file.is_file() or name in plain]
+            owners = {line.split(":")[0] for file in files for line in
+                      subprocess.run(["dpkg-query", "-S", file], capture_output=True, text=True).stdout.splitlines()}
+            self.assertTrue(not files or owners & installed, f"{name}: {owners}")
+
+
 class Comments(unittest.TestCase):
     """Headers must document functions and types with ///; for a type, documented members suffice. Other comments use //."""
 

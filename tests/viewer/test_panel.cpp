@@ -77,12 +77,14 @@ std::string panel_text(Session& session) {
     return text;
 }
 
-// Draws the panel with every section open, and presses the button or check box with this label; the section
-// is
-// "" for the buttons above the sections.
-void press_in_panel(Session& session, const std::string& section, const char* label) {
+// Draws the panel with every section open, and presses the button or check box with this label, or types a
+// text into the field. The section is "" for the buttons above the sections.
+void press_in_panel(Session& session, const std::string& section, const char* label,
+                    const char* text = nullptr) {
     const NoWindow none;
-    for (int frame = 0; frame < 4; ++frame) {
+    for (int frame = 0; frame < 5; ++frame) {
+        if (text && frame == 3)
+            ImGui::GetIO().AddInputCharactersUTF8(text);
         ImGui::NewFrame();
         ImGui::SetNextWindowSize({400, 4000});
         ImGui::Begin("panels");
@@ -100,6 +102,8 @@ void press_in_panel(Session& session, const std::string& section, const char* la
         ImGui::End();
         if (frame == 1)
             activate(id);
+        if (frame == 1 && text)
+            ImGui::GetCurrentContext()->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
         ImGui::EndFrame();
     }
 }
@@ -167,11 +171,11 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
 
 TEST_CASE("each button and check box of the panel does what it says") {
     const auto after = [](const char* json, const char* section, const char* label,
-                          const ExportTarget& target = {}) {
+                          const ExportTarget& target = {}, const char* text = nullptr) {
         auto session = std::make_unique<Session>(document_from_json(json), "");
         session->view = {800, 600};
         session->export_target = target;
-        press_in_panel(*session, section, label);
+        press_in_panel(*session, section, label, text);
         return session;
     };
     const char* const plain = R"({"width": 600, "height": 400, "scale": 40})";
@@ -191,6 +195,7 @@ TEST_CASE("each button and check box of the panel does what it says") {
         CHECK(std::tuple(made.width, made.height, made.scale) == std::tuple(width, height, scale));
     }
     CHECK_FALSE(after(plain, "Export", "also write PNG")->export_target.png);
+    CHECK(after(wood, "Export", "metres", {}, "2.5")->export_target.metres == 2.5);
     CHECK_FALSE(after(wood, "Export", "tileable##maps")->export_target.tileable);
     CHECK(after(wood, "Export", "DirectX normals")->export_target.directx);
     CHECK(after(plain, "Export", "16-bit floats", {.chosen = ExportAs::texture})->export_target.half);
