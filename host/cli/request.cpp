@@ -99,7 +99,10 @@ std::string subject(const render::Request& request) {
     return request.kind == Kind::terrain    ? "terrain"
            : request.kind == Kind::sea      ? "ocean"
            : request.kind == Kind::material ? "material " + request.material
-                                            : fmt::format("recipe {}", render::drawing_recipe(request).name);
+           : request.kind == Kind::fractal
+               ? fmt::format("fractal {}",
+                             render::fractal_shapes.at(static_cast<std::size_t>(request.fractal.shape)))
+               : fmt::format("recipe {}", render::drawing_recipe(request).name);
 }
 
 } // namespace gabor::cli

@@ -317,7 +317,7 @@ bool App::frame(const FrameHook& hook) {
     render::Request& request = session_.document().request;
     if (session_.playing && request.kind == render::Kind::sea) {
         time_of(request) += double{io.DeltaTime};
-    } else if (session_.playing && request.kind == render::Kind::noise) {
+    } else if (session_.playing && !render::is_surface(request.kind)) {
         request.evolution += double{io.DeltaTime} / double{session_.period};
         request.evolution -= std::floor(request.evolution);
     }

@@ -55,7 +55,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
     render::drop_conflicting(request, name);
     if (static_cast<std::size_t>(document.look) >= looks(request).size())
         document.look = Look::lit;
-    if (name == "view" || name == "material" || name == "width" || name == "height")
+    if (name == "view" || name == "material" || name == "fractal" || name == "width" || name == "height")
         document.camera = render::default_camera(document.request);
 }
 
@@ -151,7 +151,7 @@ bool has_effect(const Document& document, std::string_view control) {
     if (control == "tiles")
         return render::is_pattern(request.kind) && request.view.tileable;
     if (control == "animation")
-        return request.kind == Kind::sea || request.kind == Kind::noise;
+        return request.kind == Kind::sea || !render::is_surface(request.kind);
     if (control == "profile" || control == "colours" || control == "contrast") {
         if (render::is_surface(request.kind))
             return control == "contrast" && document.look == Look::height;

@@ -407,9 +407,16 @@ void side_panel(Session& session) {
     const std::array sections{
         Section{"Noise",
                 [](Session& s) {
-                    controls(s, {"material", "scale", "seed"});
+                    controls(s, {"material", "fractal", "scale", "seed"});
                 },
                 true, shows(render::Kind::noise)},
+        Section{"Fractal noise",
+                [](Session& s) {
+                    controls(s, {"fractal", "fractal.basis", "fractal.octaves", "fractal.gain",
+                                 "fractal.lacunarity", "fractal.turn", "fractal.warp", "scale", "seed",
+                                 "gradient"});
+                },
+                true, shows(render::Kind::fractal)},
         Section{"Material", material_panel, true, shows(render::Kind::material)},
         Section{"Terrain", terrain_panel, true, shows(render::Kind::terrain)},
         Section{"Ocean", ocean_panel, true, shows(render::Kind::sea)},

@@ -7,6 +7,7 @@
 #include "viewer/drawing.hpp"
 #include "viewer/embedded.hpp"
 
+#include "passes/fractal_interface.h"
 #include "passes/material_interface.h"
 #include "passes/ocean_interface.h"
 #include "passes/pixels_interface.h"
@@ -146,8 +147,9 @@ std::string terms(const View& view, std::size_t table) {
 }
 
 // Declares what `pixel` shows of the plane, `here`, in kernel radii from the first pixel or the camera.
+template <typename Push>
 std::string footprint_of(const View& view, std::string_view sky) {
-    const auto push = view.push<passes::PixelsPush>();
+    const auto push = view.push<Push>();
     return glsl(view.request.view.has_horizon()
                     ? "{}    Footprint here = footprint_below_horizon(at, {}, {});\n"
                     : "{0}    Footprint here = footprint_from_above((pixel - 0.5) * {1}, {1});\n",
@@ -163,8 +165,9 @@ std::string of_noise(const View& view) {
             : std::array{"Noise noise", "Noise sum = Noise(vec2(0.0), vec3(0.0), 0.0)", "sum",
                          "Noise(vec2(0.0), vec3(0.0), 1.0)"};
     return glsl("\n{}    {};\n{}    return {};\n}}\n", head(view, name), sum,
-                view.in_space() ? terms<passes::SolidWave>(view, 0)
-                                : footprint_of(view, sky) + terms<passes::PixelsWave>(view, 2),
+                view.in_space()
+                    ? terms<passes::SolidWave>(view, 0)
+                    : footprint_of<passes::PixelsPush>(view, sky) + terms<passes::PixelsWave>(view, 2),
                 seen);
 }
 
@@ -326,6 +329,26 @@ std::string noise_snippet(const View& view) {
     return text + of_noise(view) + of_colours(view);
 }
 
+std::string fractal_snippet(const View& view) {
+    const auto push = view.push<passes::FractalPush>();
+    const passes::Line x = view.table<passes::Line>(0).front(), y = view.table<passes::Line>(1).front();
+    const render::Fractal& fractal = view.request.fractal;
+    return includes({"noise", "fractal"}) + shaders({"sum.glsl", "plane.glsl", "swirls.glsl"}) +
+           glsl("\n{}{}    GaborPlace place = GaborPlace(ivec2({}, {}), {} + here.position * {}, {}, "
+                "ivec2({}, {}), {});\n"
+                "    GaborFractal fractal = GaborFractal({}, {}, {}, {}, {}, {});\n"
+                "    GaborFractalNoise noise = warped_noise(place, {}, here.dx, here.dy, {}, fractal, {}u);\n"
+                "    return Noise(vec2(0.0, noise.noise), vec3(noise.gradient, 0.0), noise.removed);\n}}\n",
+                head(view, "Noise noise"),
+                footprint_of<passes::FractalPush>(view, "Noise(vec2(0.0), vec3(0.0), 1.0)"), x.cell, y.cell,
+                view.request.view.has_horizon() ? push.camera : passes::vec2{x.local, y.local}, push.nodes,
+                push.nodes, view.request.view.tileable ? push.period.x : 0,
+                view.request.view.tileable ? push.period.y : 0, push.time, push.octaves, push.gain,
+                push.lacunarity, push.turn, fractal.basis, fractal.shape - 1, view.request.filter, push.warp,
+                push.seed) +
+           of_colours(view);
+}
+
 std::string text_of(const View& view) {
     switch (view.request.kind) {
     case render::Kind::material:
@@ -334,6 +357,8 @@ std::string text_of(const View& view) {
         return terrain_snippet(view);
     case render::Kind::sea:
         return sea_snippet(view);
+    case render::Kind::fractal:
+        return fractal_snippet(view);
     case render::Kind::noise:
         break;
     }

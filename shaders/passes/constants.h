@@ -52,7 +52,12 @@ const uint wide_waves_id = 28;
 const uint environment_id = 29;
 const uint boards_id = 30;
 
-const uint constant_count = 31;
+// passes/fractal.comp: members of GaborFractal, and whether a warp moves the noise
+const uint basis_id = 31;
+const uint shape_id = 32;
+const uint warped_id = 33;
+
+const uint constant_count = 34;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -3,6 +3,7 @@
 #include "render/plan/plan_parts.hpp"
 #include "render/request/material.hpp"
 
+#include "passes/fractal_interface.h"
 #include "passes/line.h"
 #include "passes/material_interface.h"
 #include "passes/ocean_interface.h"
@@ -200,6 +201,38 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
             choose_filters(constants, waves, push.pixel, request.recipe.radius);
     }
     plan.steps = {step_of(recipe_pass("pixels", request.recipe), constants, push, passes::pixels_group)};
+}
+
+// ---- Fractal noise ----
+
+void plan_fractal(Plan& plan, const Request& request, const Viewport& viewport) {
+    const Fractal& fractal = request.fractal;
+    const Axis x = axis_along(request, request.width, 1), y = axis_along(request, request.height, 1);
+    auto push = push_of<passes::FractalPush>({0, 0, plan.width, plan.height}); // tables cover the region
+    push.nodes = vec2_of(x.radius, y.radius);
+    push.period = {x.period, y.period};
+    push.pixel =
+        static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(viewport.camera.zoom);
+    if (request.view.has_horizon()) {
+        push.camera = {static_cast<float>(cell_at(viewport.camera.x, x.radius).second),
+                       static_cast<float>(cell_at(viewport.camera.y, y.radius).second)};
+        push.focal_length = static_cast<float>(viewport.width) / static_cast<float>(viewport.stride);
+    } else {
+        push.pixel *= static_cast<float>(viewport.stride);
+    }
+    push.time = wrapped_evolution(request);
+    push.octaves = static_cast<float>(fractal.octaves);
+    push.gain = static_cast<float>(fractal.gain);
+    push.lacunarity = static_cast<float>(fractal.lacunarity);
+    push.turn = static_cast<float>(noise::radians(fractal.turn));
+    push.warp = static_cast<float>(fractal.warp);
+    push.seed = request.seed;
+    Constants constants = constants_of(request, plan.channels);
+    constants[passes::basis_id] = vulkan::constant(fractal.basis);
+    constants[passes::shape_id] = vulkan::constant(fractal.shape - 1);
+    constants[passes::warped_id] = fractal.warp != 0;
+    plan.tables = {bytes_of(lines(request, viewport, 0)), bytes_of(lines(request, viewport, 1))};
+    plan.steps = {step_of("fractal", constants, push, passes::fractal_group)};
 }
 
 // ---- Bodies and slices ----
@@ -444,7 +477,7 @@ Viewport viewport_of(const Request& request, const image::Rect& region) {
 }
 
 bool uses_blocks(const Request& request, const Viewport& viewport) {
-    if (viewport.blocks == Blocks::none || is_surface(request.kind) || !request.view.is_flat() ||
+    if (viewport.blocks == Blocks::none || request.kind != Kind::noise || !request.view.is_flat() ||
         !request.paint.empty() || request.filter || request.phasor)
         return false;
     // In isotropic noise in space, each node has its own wave, so the pixels of a block share nothing.
@@ -466,6 +499,9 @@ Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, 
         break;
     case Kind::material:
         plan_material(plan, request, viewport);
+        break;
+    case Kind::fractal:
+        plan_fractal(plan, request, viewport);
         break;
     case Kind::noise:
         if (uses_blocks(request, viewport))

@@ -54,6 +54,7 @@ void put_view(Request& request, std::string_view name) {
     const NamedView& named = *std::ranges::find(named_views, name, &NamedView::name);
     const Kind pattern = is_pattern(request.kind)          ? request.kind
                          : request.material != no_material ? Kind::material
+                         : request.fractal.shape != 0      ? Kind::fractal
                                                            : Kind::noise;
     const Kind kind = is_pattern(named.kind) ? pattern : named.kind;
     const View fresh{.projection = named.projection, .orbit = default_orbit(kind)};
@@ -75,8 +76,17 @@ void put_material(Request& request, std::string_view name) {
         request.kind = Kind::material;
 }
 
-Request without_material(Request request) {
+// Fractal noise takes the place of noise; `check` refuses it elsewhere.
+void put_fractal(Request& request, std::string_view name) {
+    request.fractal.shape =
+        static_cast<int>(std::ranges::find(fractal_shapes, name) - fractal_shapes.begin());
+    if (request.kind == Kind::noise || request.kind == Kind::fractal)
+        request.kind = request.fractal.shape != 0 ? Kind::fractal : Kind::noise;
+}
+
+Request plain(Request request) {
     put_material(request, no_material);
+    put_fractal(request, fractal_shapes.front());
     return request;
 }
 
@@ -113,6 +123,8 @@ constexpr Constant planar{"noise with --view flat or horizon",
                           [](const Request& r) { return noise.holds(r) && is_seen<flat, horizon>(r); }};
 constexpr Constant bodies{"noise with --view sphere or torus",
                           [](const Request& r) { return noise.holds(r) && r.view.is_body(); }};
+constexpr Constant valued{"noise", is<Kind::noise, Kind::fractal>};
+constexpr Constant fractal{"--fractal NAME", is<Kind::fractal>};
 constexpr Constant patterns{"noise or a material", [](const Request& r) { return is_pattern(r.kind); }};
 constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !is<Kind::sea>(r); }};
 constexpr Constant tiles{"--view flat or terrain", is_seen<flat>};
@@ -139,8 +151,10 @@ std::string other_than(const Scope& scope, const Request& request) {
         return fmt::format("{} lobes", request.lobes.size());
     if (scope.described == scopes::laid.described && request.material != no_material)
         return "";
-    if (request.material != no_material && (scope.holds(without_material(request)) || mentions("material")))
+    if (request.material != no_material && (scope.holds(plain(request)) || mentions("material")))
         return request.material;
+    if (request.kind == Kind::fractal && scope.holds(plain(request)))
+        return "fractal noise";
     const std::string_view view = view_name(request);
     return view == view_name(Request()) ? "" : std::string(view);
 }
@@ -277,19 +291,50 @@ std::vector<Parameter> noise_rows() {
             "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
         row("seed", Type::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
-        row("evolution", Type::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::noise,
+        row("evolution", Type::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::valued,
             "Evolution of the noise in place, which repeats after 1", in_request(&Request::evolution)),
         row("paint", Type::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
             "turns this vector. An EXR has channels `frequency` and `orientation` (degrees)",
             in_request(&Request::paint)),
-        row("gradient", Type::flag, "", none, none, scopes::noise,
+        row("gradient", Type::flag, "", none, none, scopes::valued,
             "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
             "radius",
             in_request(&Request::gradient)),
         row("phasor", Type::flag, "", none, none, scopes::noise,
             "Add channels `phase` (turns) and `intensity`", in_request(&Request::phasor)),
+    };
+}
+
+std::vector<Parameter> fractal_rows() {
+    const auto in_fractal = [](auto Fractal::*member) { return in_part(&Request::fractal, member); };
+    return {
+        row("fractal", Type::choice, "", none, none, scopes::all,
+            "Draw a sum of octaves instead of waves, on planes: fBm, or billows, or ridges",
+            by_name(
+                [](const Request& r) { return fractal_shapes.at(static_cast<std::size_t>(r.fractal.shape)); },
+                put_fractal),
+            {fractal_shapes.begin(), fractal_shapes.end()}),
+        row("fractal.octaves", Type::number, "", {1, 16}, {1, 10}, scopes::fractal,
+            "Number of octaves; the last fades in with the fraction", in_fractal(&Fractal::octaves)),
+        row("fractal.gain", Type::number, "", {0, 4}, {0.2, 1}, scopes::fractal,
+            "Amplitude of an octave relative to the previous one", in_fractal(&Fractal::gain)),
+        row("fractal.lacunarity", Type::number, "", {1, 4}, {1.5, 3}, scopes::fractal,
+            "Frequency of an octave relative to the previous one", in_fractal(&Fractal::lacunarity)),
+        row("fractal.turn", Type::angle, "degrees", {-36000, 36000}, {-90, 90}, scopes::fractal,
+            "Angle between octaves, unless the picture tiles", in_fractal(&Fractal::turn)),
+        row("fractal.basis", Type::choice, "", none, none, scopes::fractal,
+            "Noise of an octave: smooth, or with the spectrum of Perlin noise",
+            by_name(
+                [](const Request& r) { return fractal_bases.at(static_cast<std::size_t>(r.fractal.basis)); },
+                [](Request& r, const std::string& name) {
+                    r.fractal.basis =
+                        static_cast<int>(std::ranges::find(fractal_bases, name) - fractal_bases.begin());
+                }),
+            {fractal_bases.begin(), fractal_bases.end()}),
+        row("fractal.warp", Type::number, "kernel radii", {-100, 100}, {0, 1}, scopes::fractal,
+            "Strength of a warp by fBm of the same octaves", in_fractal(&Fractal::warp)),
     };
 }
 
@@ -450,6 +495,7 @@ std::vector<Parameter> make_table() {
     };
     add(Group::picture, picture_rows());
     add(Group::noise, noise_rows());
+    add(Group::noise, fractal_rows());
     add(Group::view, view_rows());
     add(Group::light, light_rows());
     add(Group::terrain, terrain_rows());
@@ -471,7 +517,7 @@ bool is_changed(const Request& request, const Parameter& p) {
 bool is_stray(const Request& request, const Parameter& p) {
     if (p.scope.holds(request) || !is_changed(request, p))
         return false;
-    return p.scope.holds(without_material(request)) || p.scope.holds(Request());
+    return p.scope.holds(plain(request)) || p.scope.holds(Request());
 }
 
 struct Exclusion {
@@ -487,6 +533,13 @@ const std::array exclusions{
                   return r.material != no_material && (!is_pattern(r.kind) || is_seen<Projection::slice>(r));
               },
               "only planes and bodies have materials"},
+    Exclusion{
+        "view", "fractal",
+        [](const Request& r) { return r.fractal.shape != 0 && (!is_pattern(r.kind) || r.view.in_space()); },
+        "only planes have fractal noise"},
+    Exclusion{"material", "fractal",
+              [](const Request& r) { return r.material != no_material && r.fractal.shape != 0; },
+              "each replaces the noise"},
     Exclusion{"lobes", "recipe",
               [](const Request& r) {
                   return !r.recipe.is_lattice() &&
@@ -507,7 +560,7 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
 // Tells whether the request has anything that cannot be coloured.
 bool is_colourless(const Request& request) {
     return request.quadrature || request.gradient || request.phasor || !request.paint.empty() ||
-           is_surface(request.kind);
+           request.kind != Kind::noise;
 }
 
 // ---- Values ----
@@ -733,13 +786,15 @@ std::optional<Value> default_of(const Parameter& parameter, const Request& reque
     Request fresh;
     fresh.kind = request.kind;
     fresh.material = request.material;
+    fresh.fractal.shape = request.fractal.shape;
     fresh.view = {.projection = request.view.projection, .orbit = default_orbit(request.kind)};
     fresh.lobes.resize(request.lobes.size());
     return parameter.place.get(fresh);
 }
 
 bool decides(const Parameter& p) {
-    return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "boards";
+    return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "fractal" ||
+           p.name == "boards";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -752,6 +807,7 @@ void drop_conflicting(Request& request, std::string_view name) {
     if (is_stray(request, kept)) {
         request.kind = Kind::noise;
         request.material = no_material;
+        request.fractal.shape = 0;
         request.view = {};
         if (is_stray(request, kept))
             request.lobes.resize(1);
@@ -821,6 +877,8 @@ void check(const Request& request) {
     };
     if (request.view.tileable && is<Kind::terrain>(request))
         require_sides("terrain tile", "four kernel radii");
+    else if (request.view.tileable && is<Kind::fractal>(request))
+        require_sides("tileable picture", "8/3 kernel radii");
     else if (request.view.tileable && is<Kind::noise>(request))
         require_sides("tileable picture",
                       request.lobes.size() > 1 ? "two kernel radii of its widest lobe" : "two kernel radii");

@@ -18,6 +18,8 @@ std::array<double, 2> light_direction(const Request& request) {
 double least_tile(const Request& request) {
     if (is_surface(request.kind))
         return request.kind == Kind::terrain ? 4 : 0;
+    if (request.kind == Kind::fractal)
+        return 8.0 / 3;
     return 2 * std::ranges::max(request.lobes, {}, &noise::Lobe::longest_radius).longest_radius();
 }
 
@@ -54,6 +56,7 @@ std::vector<std::string> channels(const Request& request, bool normals) {
         }
         return names;
     case Kind::noise:
+    case Kind::fractal:
         break;
     }
     if (request.colour)

@@ -17,6 +17,7 @@ namespace gabor::render {
 /// What a picture shows.
 enum class Kind {
     noise,
+    fractal,  ///< a sum of octaves: see Fractal
     material, ///< the one that Request::material names
     terrain,  ///< eroded hills, which are about four kernel radii wide
     sea       ///< water under a clear sky
@@ -24,12 +25,12 @@ enum class Kind {
 
 /// Whether pictures of a kind show a surface in the light, in colour, instead of the values of a noise.
 constexpr bool is_surface(Kind kind) {
-    return kind != Kind::noise;
+    return kind != Kind::noise && kind != Kind::fractal;
 }
 
 /// Whether a kind fills any plane or body, instead of being a place with views of its own.
 constexpr bool is_pattern(Kind kind) {
-    return kind == Kind::noise || kind == Kind::material;
+    return kind != Kind::terrain && kind != Kind::sea;
 }
 
 /// How a picture shows its kind.
@@ -77,6 +78,23 @@ struct View {
     bool has_horizon() const { return projection == Projection::horizon; }
 };
 
+/// What becomes of octaves, and the noise of an octave: GABOR_FBM and GABOR_SMOOTH of gabor_fractal.glsl and
+/// their like, after the value that draws no fractal noise.
+inline constexpr std::array<std::string_view, 4> fractal_shapes{"none", "fbm", "billow", "ridged"};
+inline constexpr std::array<std::string_view, 2> fractal_bases{"smooth", "perlin"};
+
+/// Fractal noise, as GaborFractal has it.
+struct Fractal {
+    int shape = 0; ///< an index in `fractal_shapes`: not 0 if the kind is fractal noise
+    int basis = 0; ///< an index in `fractal_bases`
+    double octaves = 5;
+    double gain = 0.5;
+    double lacunarity = 2;
+    double turn = 36.87; ///< degrees between octaves
+    double warp = 0;     ///< strength of a warp by fBm of the same octaves, in kernel radii
+    bool operator==(const Fractal&) const = default;
+};
+
 /// The waves of a sea. The wind blows along +x.
 struct Sea {
     double wind = 10;            ///< metres per second
@@ -119,6 +137,7 @@ struct Request {
     double light_elevation = 38;
     bool boards = false; ///< lay the material as planks or tiles
     Sea sea = {};
+    Fractal fractal = {};
     double extent = 0;      ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
     int cover = 0;          ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
