@@ -542,6 +542,13 @@ class Unity(Node):
         self.assert_npm_accepts_it()
 
 
+class Pasted(Node):
+    """A node whose files paste HLSL after the HLSL that it includes elsewhere."""
+
+    def text(self, original):
+        return re.sub(rb'#ifndef \w+\n#include "gabor_noise.hlsl"\n#endif\n', b"", super().text(original))
+
+
 PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
     "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"],
                   "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"], "gabor_fractal.frag": ["gabor_noise.glsl", "gabor_fractal.glsl"]},
@@ -551,8 +558,8 @@ PLAIN = {  # nodes that need no more than Node checks: the texts that their file
     "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"],
                "gabor_fractal.ush": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
 }
-NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity, *(type(name.title(), (Node,), {"included": included})
-                                                            for name, included in PLAIN.items())]
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity,
+         *(type(name.title(), (Pasted if name in ("slang", "unreal") else Node,), {"included": included}) for name, included in PLAIN.items())]
 
 
 AUTHORS, ADDRESS = "The gabor-noise authors", "@REPOSITORY@"
