@@ -28,7 +28,7 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
 }
 UNREAL = {
     "noise": "CustomExpression0(Parameters, Place, 4.0, 0.7854, 7.0)",
-    "fbm": "CustomExpression1(Parameters, Place, 4.3, 0.5, 0.0, 0.0, 7.0)",
+    "fbm": "CustomExpression1(Parameters, Place, 3.3, 0.5, 0.0, 0.0, 7.0)",
 }
 CPP = "gabor_noise(p, 4.0f, 0.7854f, 7u)"
 

@@ -187,7 +187,7 @@ def brushed(x, y):
     return np.clip(0.55 * np.exp(0.09 * (tone - 0.045)), 0, 1) + 200 * height
 
 
-def fbm(x, y, octaves=4.3, gain=0.5):
+def fbm(x, y, octaves=3.3, gain=0.5):
     """gabor_fbm of gabor_fractal.glsl: each octave is twice as fine as the one before it, turned by atan(3/4), and moved."""
     place, step = 1.5 * (x + 1j * y), np.round(8192 * np.exp(1j * np.arctan(0.75))) / 4096
     total, power = 0, 0

@@ -27,7 +27,7 @@ fn solid(p: vec2f) -> f32 {
     values[pixel.y * 256u + pixel.x] = VALUE;
 }
 """
-FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec2i")) for name, call in CALLS.items()} | {"solid": "solid(p)", "fbm": "gabor_fbm(p, 4.3, 0.5, 7u)"}
+FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec2i")) for name, call in CALLS.items()} | {"solid": "solid(p)", "fbm": "gabor_fbm(p, 3.3, 0.5, 7u)"}
 
 
 def compiled(source, spirv):

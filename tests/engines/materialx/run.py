@@ -61,7 +61,7 @@ def out(*inputs):
 
 FLAT = "texcoord vector2 @place", "frequency float 4.0", "orientation float 45.000104", "seed integer 7"
 SOLID = "position vector3 @spot", "frequency float 4.0", "direction vector3 1, 2, 3", "seed integer 7"
-FRACTAL = "octaves float 4.3", "lacunarity float 2", "diminish float 0.5", "seed integer 7"
+FRACTAL = "octaves float 3.3", "lacunarity float 2", "diminish float 0.5", "seed integer 7"
 PLACE = node("position", "position", "vector3", "space string world") + node("floor", "pixel", "vector3", "in vector3 @position") \
     + node("add", "middle", "vector3", "in1 vector3 @pixel", "in2 vector3 0.5, 0.5, 9.6") \
     + node("multiply", "spot", "vector3", "in1 vector3 @middle", "in2 float 0.03125") \
@@ -173,7 +173,7 @@ MDL_FOUR = "dot(mx_gabornoise2d_vector4(float4(0.25, 0.5, 0.75, 1.0), 0.0, p, 4.
 CALLS = """
 float4 field2d(float2 p, int seed) { float4 r; mx_gaborfield2d(p, 4.0, 45.000104, seed, r); return r; }
 float4 field3d(float2 p) { float4 r; mx_gaborfield3d(float3(p.x, p.y, 0.3), 4.0, float3(1.0, 2.0, 3.0), 7, r); return r; }
-float3 fractal2d(float2 p) { float3 r; mx_gaborfractalfield2d(p, 4.3, 2.0, 0.5, 0, 0, 7, r); return r; }
+float3 fractal2d(float2 p) { float3 r; mx_gaborfractalfield2d(p, 3.3, 2.0, 0.5, 0, 0, 7, r); return r; }
 int part(int index) { int r; mx_gaborseed(7, index, r); return r; }
 """
 RETURNING = re.sub(r"float\d r; (\w+\(.*?), r\); return r;", r"return \1);", CALLS.replace("int r;", "float4 r;"))

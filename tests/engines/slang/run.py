@@ -18,5 +18,5 @@ def compiled(source, spirv):
 
 calls = [re.sub(r"\bvec(?=\d)", "float", call.replace("ivec", "int")) for call in CALLS.values()]
 driver, values = calls_on_vulkan("slang", "slang", "import gabor_noise;" + SLANG, calls, compiled)
-_, sums = calls_on_vulkan("slang", "slang", "import gabor_fractal;" + SLANG, ["gabor_fbm(p, 4.3, 0.5, 7u)"], compiled)
+_, sums = calls_on_vulkan("slang", "slang", "import gabor_fractal;" + SLANG, ["gabor_fbm(p, 3.3, 0.5, 7u)"], compiled)
 report(sys.argv[1], np.concatenate([values, sums]), "Slang", slangpy.__version__, "a module, to SPIR-V", driver, functions=[*CALLS, "fbm"])
