@@ -58,7 +58,7 @@ class Osl(Integers):
     @property
     def of_node(self):
         """Whether the file has a node's function, not the library's."""
-        return self.shader.path.parent.name != "lib"
+        return pathlib.PurePath(self.shader.path).parent.name != "lib"
 
     def parameter(self, node):
         if self.of_node and node.type == "vec2":

@@ -147,7 +147,7 @@ import { writeFileSync } from "node:fs";
 import { float, vec2, vec3 } from "./three_tsl.mjs";
 import * as gabor from "./gabor_noise.mjs";
 
-const points = Array.from({ length: 256 * 8 }, (_, i) => i);
+const points = Array.from({ length: 256 * 4 }, (_, i) => i);
 const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32))), solid = vec3(p, 0.3);
 const steps = [vec2(0.2, 0.05), vec2(0.1, -0.3)], solid_steps = [vec3(0.2, 0.05, -0.1), vec3(0.1, -0.3, 0.2)];
@@ -785,7 +785,7 @@ class ByHand(unittest.TestCase):
         (self.folder / "scene.mjs").write_text(TSL_FRACTALS.replace("FRACTALS", json.dumps(FRACTALS)))
         said = subprocess.run(["node", self.folder / "scene.mjs", self.folder / "values.raw"], check=True, stdout=subprocess.PIPE, text=True).stdout
         names, code = json.loads(said), CPP_FRACTALS
-        made = np.fromfile(self.folder / "values.raw", "<f4").reshape(len(names), 8, 256)
+        made = np.fromfile(self.folder / "values.raw", "<f4").reshape(len(names), 4, 256)
         shown = {"smooth": "gabor_smooth(p, 3)", "perlin": "gabor_perlin(p, 3)", "perlin_3d": "gabor_perlin_3d(solid, 3)",
                  "fbm": "gabor_fbm(p, 4.5f, 0.6f, 3)", "fbm_3d": "gabor_fbm_3d(solid, 4.5f, 0.6f, 3)", "billow": "gabor_billow(p, 4.5f, 0.6f, 3)",
                  "ridged": "gabor_ridged(p, 4.5f, 0.6f, 3)", "uniform": "gabor_uniform(2.0f * gabor_smooth(p, 3))"}
@@ -805,7 +805,7 @@ class ByHand(unittest.TestCase):
             shown[name] = name.replace("warp", "moved").replace(" ", ".") if " " in name else f"{of}.gradient.{part}" if part else f"{of}.noise"
         self.assertEqual(list(shown), names)
         expected = in_cpp(self.folder, '#include "gabor_fractal.hpp"\n', shown.values(), "-std=c++17", "-O1", "-DGABOR_INLINE=inline", "-I",
-                          SHADERS / "translations", rows=8, code=code)
+                          SHADERS / "translations", rows=4, code=code)
         self.compare_fractals(names, made, expected, lambda name: (found := re.match(r"(?!warp\d\.)\w+(\d)[. ]", name)) and FRACTALS[int(found[1])][3] > 0)
 
     def test_nodes_of_three(self):
