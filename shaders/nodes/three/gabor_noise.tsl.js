@@ -229,15 +229,16 @@ const solid_sum = (columns, rows, slices, mixed, evolution) => sum_of(slices.map
     const terms = [...sum.map(each => each.mul(value)), sum[0].mul(slope)];
     if (!mixed) return terms;
     const third = plane_sum(columns, within.map(row => ({
-        ...row, word: row.word.bitXor(row.word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).shiftRight(uint(8)).bitOr(uint(0x800001)).toVar(),
+        ...row, word: slice_word(row.word.bitXor(row.word.shiftRight(uint(15))), uint(0xd35a2d97)).toVar(),
     })), false, evolution);
     return [...third.map(each => each.mul(slice.odd[0])), third[0].mul(slice.odd[1])].map((term, index) => terms[index].add(term));
 }));
 
 // A function for each dimension, basis, shape and kind of place, filtered or not. Octaves and gain may vary.
 const octaves_field = (size, { p, period, evolution }, pixel, { octaves, gain, lacunarity, turn, basis, shape }, seed) => {
-    const name = `gabor_octaves_${size}d_${basis}_${shape}${period ? "_tiled" : ""}${evolution === undefined ? "" : "_animated"}${pixel ? "_filtered" : ""}`;
-    const type = `vec${size}`, vec = size === 2 ? vec2 : vec3, parts = ["x", "y", "z"].slice(0, size).map(part => value => value[part]), perlin = basis === PERLIN;
+    const kind = `${period ? "_tiled" : ""}${evolution === undefined ? "" : "_animated"}${pixel ? "_filtered" : ""}`;
+    const name = `gabor_octaves_${size}d_${basis}_${shape}${kind}`, type = `vec${size}`, vec = size === 2 ? vec2 : vec3;
+    const parts = ["x", "y", "z"].slice(0, size).map(part => value => value[part]), perlin = basis === PERLIN;
     made[name] ??= function_of(name, ([p, octaves, gain, lacunarity, turn, seed, ...others]) => {
         const side = period && others.shift(), turns = evolution === undefined ? undefined : others.shift(), [dx, dy] = others;
         const axes = parts.map((_, axis) => vec(...parts.map((_, index) => Number(index === axis))));

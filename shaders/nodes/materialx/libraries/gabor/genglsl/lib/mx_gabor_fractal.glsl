@@ -11,7 +11,7 @@ vec4 mx_gabor_fractal_window(float d, int basis)
     if (basis == 0) {
         if (abs(d) > 1.5) return vec4(0.0, 0.0, 0.0, 0.0);
         vec2 wave = mx_gabor_wave(0.33333333 * d);
-        return vec4(0.47140452 + 0.47140452 * wave.x, -0.98730732 * wave.y, 0.0, 0.0); // sqrt(2)/3, and 2/3 pi times that
+        return vec4(0.47140452 + 0.47140452 * wave.x, -0.98730732 * wave.y, 0.0, 0.0); // sqrt(2)/3, 2/9 sqrt(2) pi
     }
     vec2 turn = mx_gabor_wave(0.25 * d);
     vec2 whole = mx_gabor_wave(d);
@@ -25,9 +25,10 @@ vec4 mx_gabor_fractal_window(float d, int basis)
                 odd * (bend - 3.1415927 * v * whole.y / (5.0 - whole.x))); // pi
 }
 
-// The sums over a row of four nodes: of real amplitudes times v and its derivative, and of imaginary ones times u and its
-// derivative; if not mixed, of real ones times u and its derivative.
-vec4 mx_gabor_fractal_row(uint row, uint a, uint b, uint c, uint d, vec4 at_a, vec4 at_b, vec4 at_c, vec4 at_d, int mixed)
+// The sums over a row of four nodes: of real amplitudes times v and its derivative, and of imaginary ones times u and
+// its derivative; if not mixed, of real ones times u and its derivative.
+vec4 mx_gabor_fractal_row(uint row, uint a, uint b, uint c, uint d, vec4 at_a, vec4 at_b, vec4 at_c, vec4 at_d,
+                          int mixed)
 {
     vec2 first = mx_gabor_amplitude(a * row);
     vec2 second = mx_gabor_amplitude(b * row);
@@ -42,8 +43,8 @@ vec4 mx_gabor_fractal_row(uint row, uint a, uint b, uint c, uint d, vec4 at_a, v
                 at_a.y * first.y + at_b.y * second.y + at_c.y * third.y + at_d.y * fourth.y);
 }
 
-// The sum over a plane of nodes, and its derivatives. In space, `slice` is the word of the plane's slice, else 0. Smooth
-// noise and, where `third` is 1, the third term of Perlin noise are the sums that are not mixed.
+// The sum over a plane of nodes, and its derivatives. In space, `slice` is the word of the plane's slice, else 0.
+// Smooth noise and, where `third` is 1, the third term of Perlin noise are the sums that are not mixed.
 vec3 mx_gabor_fractal_plane(float x, float y, uint salt, uint slice, int basis, int third)
 {
     int mixed = basis - third;
@@ -109,9 +110,10 @@ vec4 mx_gabor_fractal_octave(float x, float y, float z, int solid, uint salt, in
     return vec4(scale * value, scale * along_x, scale * along_y, scale * along_z);
 }
 
-// The sum of octaves of variance 1, and its derivatives per kernel radius. Each octave is `lacunarity` times finer than the
-// one before it, and turned by atan(3/4): in space, about (1, 1, 1). Its position is moved, so that nodes differ. A
-// step's parts are multiples of 1/4096, as in gabor_fractal.glsl. A shape is 0 for fBm, 1 for billows or 2 for ridges.
+// The sum of octaves, of variance 1, and its derivatives per kernel radius. Each octave is `lacunarity` times finer
+// than the previous one, and turned against it by atan(3/4): in space, about (1, 1, 1). It is also moved, so that its
+// nodes are not those of the previous one. A step's parts are multiples of 1/4096, as in gabor_fractal.glsl. A shape is
+// 0 for fBm, 1 for billows or 2 for ridges.
 vec4 mx_gabor_fractal(vec3 p, int solid, float octaves, float lacunarity, float gain, int shape, int basis, int seed)
 {
     float x = 1.5 * p.x;
