@@ -13,8 +13,8 @@ from scene import CALLS, calls_on_vulkan, report  # noqa: E402
 
 MODULES = "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "direction", "fractal"  # each after those that it imports
 SCENE = """#import gabor_noise::noise::{gabor_field, gabor_noise, gabor_noise_animated, gabor_noise_quadrature,
-    gabor_noise_gradient, gabor_noise_tiled, gabor_place, gabor_stripes, gabor_wave_vector}
-#import gabor_noise::noise_3d::{gabor_field_3d, gabor_place_3d_at}
+    gabor_noise_gradient, gabor_noise_tiled, gabor_place, gabor_place_3d_at, gabor_stripes, gabor_wave_vector}
+#import gabor_noise::noise_3d::gabor_field_3d
 #import gabor_noise::materials::gabor_brushed_metal
 #import gabor_noise::fractal::gabor_fbm
 fn solid(p: vec2f) -> f32 {
