@@ -10,6 +10,7 @@ from glsl import Printer, SHAPES, Shader, changes, without_comments
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIBRARY = ROOT / "shaders" / "nodes" / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
+FRACTAL = COMMON.with_name("mx_gabor_fractal.glsl")
 MARK, END = "// ---- From gabor_noise.glsl ----\n", "// ---- End ----\n"
 
 # ---- Functions -----------------------------------------------------------------------------------------------------
@@ -54,8 +55,13 @@ class Osl(Integers):
     start = ("// Shifts an integer to the right as if it were unsigned.\nint mx_gabor_right(int word, int bits)\n"
              "{\n    return (word >> bits) & ((1 << (32 - bits)) - 1);\n}\n\n")
 
+    @property
+    def of_node(self):
+        """Whether the file has a node's function, not the library's."""
+        return pathlib.PurePath(self.shader.path).parent.name != "lib"
+
     def parameter(self, node):
-        if self.shader.before and node.type == "vec2":
+        if self.of_node and node.type == "vec2":
             self.replace(node.type_name, "vector2")
         if node.out:
             self.edit(node.start, node.type_name.start, "output ")
@@ -63,7 +69,7 @@ class Osl(Integers):
     def member(self, node):
         super().member(node)
         vector, declared = node.parts[0], node.parts[0].declared
-        of_node = self.shader.before and declared and declared.kind == "parameter"
+        of_node = self.of_node and declared and declared.kind == "parameter"
         if vector.type == "vec3" or vector.type == "vec2" and not of_node:
             self.edit(vector.end, node.end, f"[{'xyz'.index(node.name.text)}]")
 
@@ -146,8 +152,8 @@ DOCUMENT = """<?xml version="1.0"?>
 {}</materialx>
 """
 ABOUT = """
-    Gabor noise on a lattice: positions are in kernel radii, frequencies in cycles per kernel radius. Only gaborfield2d, gaborfield3d
-    and gaborseed have an implementation for each target; the other nodes are graphs of these three.
+    Gabor noise on a lattice: positions are in kernel radii, frequencies in cycles per kernel radius. Only gaborfield2d, gaborfield3d,
+    gaborfractalfield2d, gaborfractalfield3d and gaborseed have an implementation for each target; the other nodes are graphs of these.
 """
 COUNTS = {"float": 1, "vector2": 2, "vector3": 3, "vector4": 4, "color3": 3, "color4": 4}
 # The inputs of most nodes, as "name type attributes".
@@ -159,10 +165,18 @@ FLAT = ('texcoord vector2 defaultgeomprop="UV0" uiname="Texture Coordinates" doc
         'doc="Direction of the wave vector, from x towards y"', SEED)
 SOLID = ('position vector3 defaultgeomprop="Pobject" uiname="Position" doc="Position in kernel radii"', FREQUENCY,
          'direction vector3 value="1.0, 1.0, 1.0" uiname="Direction" doc="Direction of the wave vector, of any length"', SEED)
+SUM = ('octaves float value="5.0" uimin="1.0" uimax="16.0" uiname="Octaves" doc="The last octave fades in with the fraction"',
+       'lacunarity float value="2.0" uimin="1.0" uimax="4.0" uiname="Lacunarity" doc="Frequency of an octave relative to the previous one"',
+       'diminish float value="0.5" uimin="0.0" uisoftmax="1.0" uiname="Diminish" doc="Amplitude of an octave relative to the previous one"',
+       'shape integer value="0" enum="fBm, Billows, Ridges" enumvalues="0, 1, 2" uiname="Shape"',
+       'basis integer value="0" enum="Smooth, Perlin" enumvalues="0, 1" uiname="Basis" doc="The noise of an octave"', SEED)
+FLAT_SUM, SOLID_SUM = (FLAT[0], *SUM), (SOLID[0], *SUM)
 # What nodes call their arguments, if not in, or in1, in2 and so on.
 ARGUMENTS = {"extract": "in index", "constant": "value", "gaborseed": "seed index",
              "gaborfield2d": "texcoord frequency orientation seed", "gabornoise2d": "amplitude pivot texcoord frequency orientation seed",
-             "gaborfield3d": "position frequency direction seed", "gabornoise3d": "amplitude pivot position frequency direction seed"}
+             "gaborfield3d": "position frequency direction seed", "gabornoise3d": "amplitude pivot position frequency direction seed",
+             "gaborfractalfield2d": "texcoord octaves lacunarity diminish shape basis seed",
+             "gaborfractalfield3d": "position octaves lacunarity diminish shape basis seed"}
 
 
 def several(kind, number):
@@ -222,11 +236,14 @@ def noises(dim, where, wave):
 
 
 def described():
-    """Yields the name, group, description, inputs, outputs and graph of each node. The first three have source code instead."""
+    """Yields the name, group, description, inputs, outputs and graph of each node. The first ones have source code instead."""
     yield "gaborfield2d", "2d", "Gabor noise, its quadrature, and the noise's derivatives along x and y per kernel radius", FLAT, ["out vector4"], ""
     yield "gaborfield3d", "3d", "Gabor noise in space, and its derivatives along x, y and z per kernel radius", SOLID, ["out vector4"], ""
     yield ("gaborseed", "", "The seed of one noise in a sum of independent noises", ['seed integer value="0"', 'index integer value="0"'],
            ["out integer"], "")
+    yield ("gaborfractalfield2d", "2d", "fBm, billows or ridges, and their derivatives along x and y per kernel radius", FLAT_SUM, ["out vector3"], "")
+    yield ("gaborfractalfield3d", "3d", "fBm, billows or ridges in space, and their derivatives along x, y and z per kernel radius", SOLID_SUM,
+           ["out vector4"], "")
     yield from noises("2d", "the plane", FLAT)
     yield from noises("3d", "space", SOLID)
     mean, gradient = "noise float Mean 0 and variance 1", "Gradient of the noise, per kernel radius"
@@ -237,6 +254,13 @@ def described():
            gradient vector2 = combine2(x; y)""")
     yield "gaborwave3d", "3d", "Gabor noise in space and its gradient", SOLID, [mean, f"gradient vector3 {gradient}"], """
            field vector4 = gaborfield3d(position; frequency; direction; seed)
+           noise float = extract(field; 0) x float = extract(field; 1) y float = extract(field; 2) z float = extract(field; 3)
+           gradient vector3 = combine3(x; y; z)"""
+    yield "gaborfractal2d", "2d", "fBm, billows or ridges", FLAT_SUM, [mean, f"gradient vector2 {gradient}"], """
+           field vector3 = gaborfractalfield2d(texcoord; octaves; lacunarity; diminish; shape; basis; seed)
+           noise float = extract(field; 0) x float = extract(field; 1) y float = extract(field; 2) gradient vector2 = combine2(x; y)"""
+    yield "gaborfractal3d", "3d", "fBm, billows or ridges in space", SOLID_SUM, [mean, f"gradient vector3 {gradient}"], """
+           field vector4 = gaborfractalfield3d(position; octaves; lacunarity; diminish; shape; basis; seed)
            noise float = extract(field; 0) x float = extract(field; 1) y float = extract(field; 2) z float = extract(field; 3)
            gradient vector3 = combine3(x; y; z)"""
     streaks = "".join(f"""
@@ -264,8 +288,8 @@ def documents():
     """Yields the path and text of each of the library's documents."""
     nodes = [*described()]
     yield LIBRARY / "gabor_defs.mtlx", DOCUMENT.format(ABOUT, "".join(definition(*node[:-1]) for node in nodes))
-    yield LIBRARY / "gabor_ng.mtlx", DOCUMENT.format("", "\n".join(graph(name, *rest) for name, _, _, *rest in nodes[3:]))
-    coded, of_mdl = [name for name, *_ in nodes[:3]], [name for name, *_ in nodes if re.match("gabornoise(?!.*color4)", name)]
+    yield LIBRARY / "gabor_ng.mtlx", DOCUMENT.format("", "\n".join(graph(name, *rest) for name, _, _, *rest in nodes if rest[-1]))
+    coded, of_mdl = [name for name, *_, last in nodes if not last], [name for name, *_ in nodes if re.match("gabornoise(?!.*color4)", name)]
     for target, names in {"genglsl": coded, "genosl": coded, "genmdl": coded + of_mdl}.items():
         file = "gabor/genmdl/mx_gabor.mdl" if target == "genmdl" else f"mx_{{0}}.{target[3:]}"
         line = f'  <implementation name="IM_{{0}}_{target}" nodedef="ND_{{0}}" file="{file}" function="mx_{{0}}" target="{target}" />\n'
@@ -277,8 +301,9 @@ def packaged():
     header = ("// Generated from ../genglsl by tools/translate: change those files, not this one.\n"
               "//\n// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT\n\n")
     library = Shader(COMMON.read_text(), COMMON.relative_to(ROOT))
-    nodes = sorted(COMMON.parents[1].glob("*.glsl"))
-    trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in nodes)]
+    trees = [library]
+    for path in (FRACTAL, *sorted(COMMON.parents[1].glob("*.glsl"))):
+        trees.append(Shader(path.read_text(), path.relative_to(ROOT), trees[min(len(trees), 2) - 1]))
     for tree in trees:
         path = (LIBRARY / "genosl" / (ROOT / tree.path).relative_to(COMMON.parents[1])).with_suffix(".osl")
         text = Osl.start * (tree == library) + Osl(tree).text(tree.start).replace('.glsl"', '.osl"')

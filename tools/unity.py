@@ -14,6 +14,8 @@ NODES = {
     "Noise": ({"Place": (0.0, 0.0), "Frequency": 4.0, "Orientation": 0.7854, "Seed": 7.0}, {"Noise": 1, "Quadrature": 1}),
     "Stripes": ({"Place": (0.0, 0.0), "Wave": (2.83, 2.83), "Sharpness": 2.0, "Seed": 7.0}, {"Noise": 1, "Gradient": 2, "Stripes": 3}),
 }
+FRACTAL = {"Place": (0.0, 0.0), "Octaves": 5.0, "Gain": 0.5, "Shape": 0.0, "Basis": 0.0, "Seed": 7.0}, {"Noise": 1, "Gradient": 2}
+NODES |= {"Fractal": FRACTAL, "Fractal Filtered": FRACTAL}
 
 
 def vector(values):
@@ -55,6 +57,7 @@ def graph(name, inputs, outputs):
     def id(*names):
         return made_id(name, *names)
 
+    called = f"Gabor{name.replace(' ', '')}"
     function, output, category = id("function"), id("output"), id("category")
     properties, nodes = [id("property", each) for each in inputs], [id("node", each) for each in inputs]
     sizes = {each: 2 if isinstance(value, tuple) else 1 for each, value in inputs.items()} | outputs
@@ -69,8 +72,8 @@ def graph(name, inputs, outputs):
                m_GraphPrecision=1, m_PreviewMode=2, m_OutputNode={"m_Id": output}, m_ActiveTargets=[])
     yield node(0, "SubGraphOutputNode", output, "Output", (-100.0, 0.0), [id("result", each) for each in outputs], IsFirstSlotValid=True)
     source = re.search("^guid: (.*)", (UNITY / "GaborNoise.hlsl.meta").read_text(), re.MULTILINE)[1]
-    yield node(1, "CustomFunctionNode", function, f"Gabor{name} (Custom Function)", (-400.0, 0.0), arguments, precision=1, m_SourceType=0,
-               m_FunctionName=f"Gabor{name}", m_FunctionSource=source, m_FunctionBody="")
+    yield node(1, "CustomFunctionNode", function, f"{called} (Custom Function)", (-400.0, 0.0), arguments, precision=1, m_SourceType=0,
+               m_FunctionName=called, m_FunctionSource=source, m_FunctionBody="")
     yield item(0, "CategoryData", category, m_Name="", m_ChildObjectList=refer(properties))
     for number, (label, value) in enumerate(inputs.items()):
         size, guid = sizes[label], {"m_GuidSerialized": str(uuid.UUID(id("guid", label)))}

@@ -21,8 +21,8 @@ float length(vector v) {
 auto mix(auto a, auto b, float t) {
     return a * (1 - t) + b * t;
 }
-using std::abs, std::atan2, std::clamp, std::exp, std::floor, std::hypot, std::log2, std::max, std::min,
-    std::pow, std::sqrt, std::trunc;
+using std::abs, std::atan2, std::ceil, std::clamp, std::exp, std::floor, std::hypot, std::log2, std::max,
+    std::min, std::pow, std::sqrt, std::trunc;
 
 float mod(float a, float b) {
     return a - b * std::floor(a / b);

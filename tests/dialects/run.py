@@ -24,6 +24,11 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
     "complex": "quadrature",
     "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",
     "stripes": "dot(stripes, float3(0.25, 0.5, 0.75))",
+    "fbm": "fractal",
+}
+UNREAL = {
+    "noise": "CustomExpression0(Parameters, Place, 4.0, 0.7854, 7.0)",
+    "fbm": "CustomExpression1(Parameters, Place, 3.3, 0.5, 0.0, 0.0, 7.0)",
 }
 CPP = "gabor_noise(p, 4.0f, 0.7854f, 7u)"
 
@@ -61,7 +66,9 @@ elif dialect == "unity":
     drivers, pictures = zip(*(drawn(f"#define VALUE ({value})\n{scene}") for value in UNITY.values()))
     driver, picture = drivers[0], b"".join(bytes(each[:65536]) for each in pictures)
 elif dialect == "unreal":
-    driver, picture = drawn(with_node("scene_unreal.hlsl"))
+    scene, functions = with_node("scene_unreal.hlsl"), {"functions": list(UNREAL)}
+    drivers, pictures = zip(*(drawn(f"#define VALUE {value}\n{scene}") for value in UNREAL.values()))
+    driver, picture = drivers[0], b"".join(bytes(each[:65536]) for each in pictures)
 elif dialect == "glsl":
     driver, picture = drawn(compute_shader(name, macros))
 else:

@@ -14,14 +14,20 @@ RWStructuredBuffer<float> values : register(u0);
     float3 stripes;
     GaborStripes_float(place, wave, 2.0, 7.0, noise, gradient, stripes);
     GaborNoise_float(place, 4.0, 0.7854, 7.0, noise, quadrature);
+    float fractal;
+    float2 slope;
+    GaborFractal_float(place, 3.3, 0.5, 0.0, 0.0, 7.0, fractal, slope);
     half half_noise;
     half half_quadrature;
     half2 half_gradient;
     half3 half_stripes;
     GaborStripes_half((half2)place, (half2)wave, (half)2.0, (half)7.0, half_noise, half_gradient, half_stripes);
     GaborNoise_half((half2)place, (half)4.0, (half)0.7854, (half)7.0, half_noise, half_quadrature);
+    half half_fractal;
+    half2 half_slope;
+    GaborFractal_half((half2)place, (half)3.3, (half)0.5, (half)0.0, (half)0.0, (half)7.0, half_fractal, half_slope);
     // The functions for half are called so that the compiler checks them; positions in half precision are off by a pixel.
     bool calculated = abs(half_noise - noise) < 4.0 && abs(half_quadrature - quadrature) < 4.0 && half_gradient.x < 100.0
-        && half_stripes.z < 10.0;
+        && half_stripes.z < 10.0 && abs(half_fractal) < 10.0 && half_slope.x < 100.0;
     values[pixel.y * 256 + pixel.x] = calculated ? VALUE : 1.0e9;
 }

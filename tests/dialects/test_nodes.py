@@ -108,6 +108,14 @@ class UnityStripes(UnityNoise):
     graph_file = "Gabor Stripes.shadersubgraph"
 
 
+class UnityFractal(UnityNoise):
+    graph_file = "Gabor Fractal.shadersubgraph"
+
+
+class UnityFractalFiltered(UnityNoise):
+    graph_file = "Gabor Fractal Filtered.shadersubgraph"
+
+
 # Writes the values of functions.mjs, one for each function of gabor_noise.tsl.js, at the scene's points.
 TSL = """
 import { writeFileSync } from "node:fs";
@@ -131,6 +139,47 @@ const functions = { ...(await import("./functions.mjs")).functions(gabor, { dot,
                     })) };
 writeFileSync(process.argv[2], Buffer.concat(Object.values(functions).map(value => Buffer.from(value.parts[0].buffer))));
 console.log(JSON.stringify(Object.keys(functions)));
+"""
+
+# Writes the values of sums of octaves.
+TSL_FRACTALS = """
+import { writeFileSync } from "node:fs";
+import { float, vec2, vec3 } from "./three_tsl.mjs";
+import * as gabor from "./gabor_noise.mjs";
+
+const points = Array.from({ length: 256 * 4 }, (_, i) => i);
+const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
+const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32))), solid = vec3(p, 0.3);
+const steps = [vec2(0.2, 0.05), vec2(0.1, -0.3)], solid_steps = [vec3(0.2, 0.05, -0.1), vec3(0.1, -0.3, 0.2)];
+const place = { ...gabor.gabor_place_tiled(p, vec2(3, 4)), evolution: 0.3 };
+const values = { smooth: gabor.gabor_smooth(p, 3), perlin: gabor.gabor_perlin(p, 3), perlin_3d: gabor.gabor_perlin_3d(solid, 3),
+                 fbm: gabor.gabor_fbm(p, 4.5, 0.6, 3), fbm_3d: gabor.gabor_fbm_3d(solid, 4.5, 0.6, 3), billow: gabor.gabor_billow(p, 4.5, 0.6, 3),
+                 ridged: gabor.gabor_ridged(p, 4.5, 0.6, 3), uniform: gabor.gabor_uniform(gabor.gabor_smooth(p, 3).mul(2)) };
+const put = (name, { noise, gradient }, axes) => {
+    values[name] = noise;
+    for (const axis of axes) values[`${name}.${axis}`] = gradient[axis];
+};
+FRACTALS.forEach(([octaves, lacunarity, gain, shape, basis, seed], index) => {
+    const fractal = gabor.gabor_fractal(octaves, gain, { lacunarity, shape, basis });
+    put(`flat${index}`, gabor.gabor_fractal_noise(gabor.gabor_place_at(p), fractal, seed), "xy");
+    put(`solid${index}`, gabor.gabor_fractal_noise_3d(gabor.gabor_place_3d_at(solid), fractal, seed), "xyz");
+    put(`flat_filtered${index}`, gabor.gabor_fractal_noise_filtered(gabor.gabor_place_at(p), ...steps, fractal, seed), "xy");
+    put(`solid_filtered${index}`, gabor.gabor_fractal_noise_3d_filtered(gabor.gabor_place_3d_at(solid), ...solid_steps, fractal, seed), "xyz");
+    put(`tiled${index}`, gabor.gabor_fractal_noise(place, fractal, seed), "xy");
+    const warp = gabor.gabor_warp(gabor.gabor_place_at(p), 0.2, fractal, seed);
+    put(`warp${index}`, gabor.gabor_fractal_noise(warp.place, gabor.gabor_fractal(1, 0), 7), "xy");
+    for (const part of ["dx", "dy"]) for (const axis of "xy") values[`warp${index} ${part}.${axis}`] = warp[part][axis];
+});
+writeFileSync(process.argv[2], Buffer.concat(Object.values(values).map(value => Buffer.from(value.parts[0].buffer))));
+console.log(JSON.stringify(Object.keys(values)));
+"""
+# The same in C++.
+CPP_FRACTALS = """
+    const gabor_vec3 solid(p, 0.3f);
+    const gabor_vec2 dx(0.2f, 0.05f), dy(0.1f, -0.3f);
+    const gabor_vec3 solid_dx(0.2f, 0.05f, -0.1f), solid_dy(0.1f, -0.3f, 0.2f);
+    GaborPlace place = gabor_place_tiled(p, gabor_vec2(3.0f, 4.0f));
+    place.evolution = 0.3f;
 """
 
 
@@ -178,13 +227,17 @@ OCEAN = """
     const float units[] = {0.5f, 0.5f, 1.0f};
 """
 
+# Octaves, lacunarities, gains, shapes, bases and seeds of fractals.
+FRACTALS = [(1.0, 2.0, 0.5, 0, 0, 7), (4.3, 2.0, 0.6, 0, 1, -3), (5.0, 1.9, 0.5, 1, 0, 8), (3.0, 2.2, 0.8, 1, 1, 9), (5.0, 2.0, 0.5, 2, 0, 2),
+            (2.5, 3.0, 0.4, 2, 1, 5)]
+
 # The types and functions of MDL that its module needs, in C++.
-MDL = """#include "gabor_noise.hpp"
+MDL = """#include "gabor_fractal.hpp"
 #include "gabor_noise_3d.hpp"
 using float2 = gabor_vec2; using float3 = gabor_vec3; using float4 = gabor_vec4; using color = gabor_vec3;
 struct Right { int bits; };
 int operator>>(int word, Right right) { return int(std::uint32_t(word) >> right.bits); }
-using std::abs; using std::floor; using std::sqrt;
+using std::abs; using std::ceil; using std::floor; using std::sqrt;
 template <typename T> T min(T a, float b) { return gabor_cpp_min(a, b); }
 template <typename T> T max(T a, float b) { return gabor_cpp_max(a, b); }
 template <typename T> T clamp(T a, float low, float high) { return gabor_cpp_clamp(a, low, high); }
@@ -229,7 +282,7 @@ float parts(Value a, int i) { return a.part[i]; }
 """
 
 # Nodes in the languages of engines, which run here as C++. HLSL makes an unsigned 0 of a negative float.
-ENGINES = """#include "gabor_noise.hpp"
+ENGINES = """#include "gabor_fractal.hpp"
 #include <cstring>
 struct Word {
     std::uint32_t word;
@@ -244,6 +297,10 @@ using vec2 = gabor_vec2; using vec3 = gabor_vec3; using vec4 = gabor_vec4;
 vec4 iMouse(500.0f, 130.0f, 1.0f, 0.0f);
 vec3 iResolution(800.0f, 450.0f, 1.0f);
 #define uint Word
+float2 ddx(float2) { return {0.2f, 0.05f}; }
+float2 ddy(float2) { return {0.1f, -0.3f}; }
+float2 dFdx(float2 p) { return ddx(p); }
+float2 dFdy(float2 p) { return ddy(p); }
 """
 USED = """
     float a, b, c, d, e, f, g;
@@ -255,6 +312,20 @@ USED = """
     GaborNoise_half(p, 3.0f, 0.5f, -4.0f, c, d);
     GaborStripes_float(p, along, 3.0f, -5.0f, e, slope, stripes);
     GaborStripes_half(p, turned, 2.0f, -6.0f, f, slope_half, stripes_half);
+    float fractals[4];
+    gabor_vec2 slopes[4];
+    GaborFractal_float(p, 4.3f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[0], slopes[0]);
+    GaborFractal_half(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[1], slopes[1]);
+    GaborFractalFiltered_float(p, 4.3f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[2], slopes[2]);
+    GaborFractalFiltered_half(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[3], slopes[3]);
+    const GaborFractal kinds[] = {{4.3f, 0.6f, 2.0f, 0.64350111f, GABOR_PERLIN, GABOR_RIDGED}, {3.0f, 0.5f, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_BILLOW}};
+    const int numbers[] = {-3, 4};
+    GaborFractalNoise wanted[4];
+    for (int i = 0; i < 4; ++i)
+        wanted[i] = i < 2 ? gabor_fractal_noise(gabor_place_at(p), kinds[i], numbers[i])
+                          : gabor_fractal_noise_filtered(gabor_place_at(p), ddx(p), ddy(p), kinds[i - 2], numbers[i - 2]);
+    GaborFractal tiles = kinds[0];
+    tiles.turn = 0.0f;
     mainImage(color, 32.0f * p);
     const gabor_vec2 z_a = gabor_noise_quadrature(p, 4.0f, 0.7854f, -3), z_c = gabor_noise_quadrature(p, 3.0f, 0.5f, -4);
     const GaborField z_e = gabor_field(gabor_place_at(p), along, -5), z_f = gabor_field(gabor_place_at(p), turned, -6);
@@ -263,6 +334,10 @@ USED = """
     const float scale = 8.0f, maker_seed = 0.3f;
     float noise, quadrature;
     { const gabor_vec2 place = p; const float frequency = 2.5f, orientation = 0.3f; const int seed = -7; GODOT }
+    float godots[2];
+    gabor_vec2 rises[2];
+    { FIRST }
+    { SECOND }
 """
 # The value of each output, and what it should be.
 OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noise", "f": "z_f.noise",
@@ -270,7 +345,29 @@ OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noi
            **{f"stripes{half}.{axis}": f"s_{z}.{axis}" for half, z in (("", "e"), ("_half", "f")) for axis in "xyz"},
            "unreal(p, 3.0f, 0.5f, -4.0f)": "z_c.x", "noise": "godot.x", "quadrature": "godot.y",
            "float(MAKER)": "gabor_unorm(gabor_noise_tiled(p, gabor_vec2(8.0f), 2.5f, 0.5235988f, floatBitsToUint(0.3f)))",
+           **{f"fractals[{i}]": f"wanted[{i}].noise" for i in range(4)},
+           **{f"slopes[{i}].{axis}": f"wanted[{i}].gradient.{axis}" for i in range(4) for axis in "xy"},
+           **{f"godots[{i}]": f"wanted[{2 * i}].noise" for i in range(2)},
+           **{f"rises[{i}].{axis}": f"wanted[{2 * i}].gradient.{axis}" for i in range(2) for axis in "xy"},
+           "unreal_fractal(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f)": "wanted[1].noise",
+           "float(FRACTAL_MAKER)": "gabor_unorm(gabor_fractal_noise(gabor_place_tiled(p, gabor_vec2(8.0f)), tiles, floatBitsToUint(0.3f)).noise)",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
+
+
+def godot_node(name, choices=(0, 0, 0)):
+    """Returns the functions of a Godot node with these options chosen: GDScript is nearly Python."""
+    text = (NODES / f"godot/addons/gabor_noise/gabor_{name}.gd").read_text()
+    text = re.sub(r"(?m)^(@tool|class_name .*|extends .*)$", "", text)
+    text = re.sub(r"(?m)^(\t?)(?:const|var) (\w+) :=", r"\1\2 =", text)
+    text = re.sub(r"(?m)^func (\w+)\((.*?)\) -> [\w.]+:", lambda match: f"def {match[1]}({re.sub(':[^,]*', '', match[2])}):", text)
+    text = re.sub(r"% (\(inputs.*\))", r"% tuple\1", text)
+    for one, other in (".size()", ".__len__()"), (".is_empty()", " == ''"), ("null", "None"):
+        text = text.replace(one, other)
+    node = {name: name for name in re.findall(r"PORT_TYPE_\w+", text)} | {"get_option_index": choices.__getitem__, "PackedStringArray": list}
+    modes = ("MODE_CANVAS_ITEM", "MODE_SPATIAL", "MODE_PARTICLES", "MODE_SKY", "MODE_FOG")
+    node |= {"Shader": types.SimpleNamespace(**{name: name for name in modes}), "VisualShader": types.SimpleNamespace(TYPE_FRAGMENT="fragment")}
+    exec(text, node)
+    return node
 
 
 class Interfaces(unittest.TestCase):
@@ -301,32 +398,28 @@ class Interfaces(unittest.TestCase):
             yield "    out: " + ", ".join(f"{each['m_DisplayName']} {each['m_Type'].rpartition('.')[2]}" for each in slots)
 
     def godot(self):
-        """Runs the node's functions: GDScript is nearly Python."""
-        text = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
-        text = re.sub(r"(?m)^(@tool|class_name .*|extends .*)$", "", text)
-        text = re.sub(r"(?m)^const (\w+) :=", r"\1 =", text)
-        text = re.sub(r"(?m)^func (\w+)\((.*?)\) -> [\w.]+:", lambda match: f"def {match[1]}({re.sub(':[^,]*', '', match[2])}):", text)
-        for one, other in (".size()", ".__len__()"), (".is_empty()", " == ''"), ("null", "None"), ("(inputs + outputs)", "tuple(inputs + outputs)"):
-            text = text.replace(one, other)
-        node = {name: name for name in re.findall(r"PORT_TYPE_\w+", text)}
-        shader = type("Shader", (), {name: name for name in ("MODE_CANVAS_ITEM", "MODE_SPATIAL", "MODE_PARTICLES", "MODE_SKY", "MODE_FOG")})
-        node["Shader"] = shader
-        exec(text, node)
-        yield f"Godot: {node['_get_category']()}/{node['_get_name']()} {node['_get_return_icon_type']()}: {node['_get_description']()}"
-        for port in range(node["_get_input_port_count"]()):
-            yield "    " + " ".join(str(node[f"_get_input_port_{what}"](port)) for what in ("name", "type", "default_value"))
-        for port in range(node["_get_output_port_count"]()):
-            yield "    out: " + " ".join(str(node[f"_get_output_port_{what}"](port)) for what in ("name", "type"))
-        yield "    " + node["_get_global_code"]("")
-        for place, mode in ("p", "MODE_SPATIAL"), ("", "MODE_SPATIAL"), ("", "MODE_CANVAS_ITEM"), ("", "MODE_SKY"):
-            yield f"    {mode} {node['_get_code']([place, 'f', 'o', 's'], ['n', 'q'], mode, None)!r}"
+        for name in "noise", "fractal":
+            node = godot_node(name)
+            yield f"Godot: {node['_get_category']()}/{node['_get_name']()} {node['_get_return_icon_type']()}: {node['_get_description']()}"
+            for port in range(node["_get_input_port_count"]()):
+                yield "    " + " ".join(str(node[f"_get_input_port_{what}"](port)) for what in ("name", "type", "default_value"))
+            for port in range(node["_get_output_port_count"]()):
+                yield "    out: " + " ".join(str(node[f"_get_output_port_{what}"](port)) for what in ("name", "type"))
+            for index in range(node["_get_property_count"]() if "_get_property_count" in node else 0):
+                yield "    choice: " + " ".join(str(node[f"_get_property_{what}"](index)) for what in ("name", "options", "default_index"))
+            yield "    " + node["_get_global_code"]("")
+            for place, mode in ("p", "MODE_SPATIAL"), ("", "MODE_SPATIAL"), ("", "MODE_CANVAS_ITEM"), ("", "MODE_SKY"):
+                yield f"    {mode} {node['_get_code']([place, 'f', 'o', 's'], ['n', 'q'], mode, None)!r}"
 
     def material_maker(self):
-        node = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())
-        model = node["shader_model"]
-        yield f"Material Maker: {node['type']} {node['name']} {node['parameters']}"
-        for each in (model, *model["parameters"], *model["outputs"]):
-            yield "    " + " ".join(f"{name}={value}" for name, value in each.items() if name not in ("parameters", "outputs", "global", "f") and value != "")
+        for path in sorted((NODES / "material_maker").glob("*.mmg")):
+            node = json.loads(path.read_text())
+            model = node["shader_model"]
+            self.assertEqual(set(node["parameters"]), {each["name"] for each in model["parameters"]})
+            yield f"Material Maker: {node['type']} {node['name']} {node['parameters']}"
+            for each in (model, *model["parameters"], *model["outputs"]):
+                yield "    " + " ".join(f"{name}={value}" for name, value in each.items()
+                                        if name not in ("parameters", "outputs", "global", "f") and value != "")
 
     def osl(self):
         for path in sorted((NODES / "osl").glob("*.osl")):
@@ -557,6 +650,44 @@ class ByHand(unittest.TestCase):
             *"solid.noise solid.gradient.x solid.gradient.y solid.gradient.z float(int(gabor_derived_seed(9,-2)))".split()]), 2)
         self.assertLess(np.abs(made - expected).max(), 2e-3)
 
+    def compare_fractals(self, names, made, expected, jumps):
+        """Compares outputs of fractals. `jumps` is whether an output jumps, as the gradients of billows and ridges do where an octave is 0."""
+        self.assertEqual(made.shape, expected.shape)
+        errors = {}
+        for name, one, other in zip(names, made, expected, strict=True):
+            with self.subTest(name):
+                self.assertGreater(other.std(), 0.1)
+                error = np.sort((np.abs(one - other) / max(1, other.std())).ravel())
+                errors[name] = error[-1 - error.size // 500 if jumps(name) else -1]
+                self.assertLess(errors[name], 1e-5)
+        print(*max((error, name) for name, error in errors.items()))
+
+    def test_fractals_in_open_shading_language(self):
+        """Runs gabor_fractal.osl, and MaterialX's nodes translated to OSL."""
+        folder = materialx() / "genosl"
+        text = (packaged("osl", self.folder / "osl") / "gabor_fractal.osl").read_text() + "".join(
+            re.sub("#include.*", "", (folder / f"mx_gaborfractalfield{dim}d.osl").read_text()) for dim in (2, 3))
+        text = text.replace("struct vector4", "struct vector2 { float x; float y; };\nstruct vector4", 1)
+        code, names, values, expected = "float shown;", [], [], []
+        for case, (octaves, lacunarity, gain, shape, basis, seed) in enumerate(FRACTALS):
+            for solid, dim in (0, 2), (1, 3):
+                sum, parts = f"{case}_{dim}", "xyz"[:dim]
+                given = f"{octaves}f, {lacunarity}f, {gain}f, {shape}, {basis}, {seed}"
+                place = "{p.x, p.y}" if dim == 2 else "(p.x, p.y, 0.3f)"
+                code += f"""
+                    float noise{sum}; vector gradient{sum}; {"osl::vector4" if solid else "vector"} node{sum};
+                    osl::gabor_fractal(0.25f * vector(p.x, p.y, 0.3f), 4, {given}, {solid}, shown, noise{sum}, gradient{sum});
+                    osl::mx_gaborfractalfield{dim}d({"vector" if solid else "osl::vector2"}{place}, {given}, node{sum});
+                    const auto drop{sum} = gabor_fractal_noise{"_3d" * solid}(gabor_place{"_3d" * solid}_at({"gabor_vec3(p, 0.3f)" if solid else "p"}),
+                        GaborFractal{{{octaves}f, {gain}f, {lacunarity}f, 0.64350111f, {basis}, {shape}}}, std::uint32_t({seed}));"""
+                for output, of in ("noise", [f"noise{sum}", f"node{sum}.x"]), *((f"d/d{part}", [f"gradient{sum}.{part}", f"node{sum}.{next}"])
+                                                                              for part, next in zip(parts, "yzw")):
+                    names += [f"{dim}D, shape {shape}, basis {basis}, {kind} {output}" for kind in ("OSL", "MaterialX")]
+                    values += of
+                    expected += 2 * [f"drop{sum}.noise" if output == "noise" else f"drop{sum}.gradient.{output[-1]}"]
+        self.compare_fractals(names, *np.split(self.osl(text, ["gabor_noise", "gabor_fractal"], code, values + expected), 2),
+                              lambda name: "d/d" in name and "shape 0" not in name)
+
     def test_module_of_materialx(self):
         """Runs MDL's functions as C++."""
         text = (materialx() / "genmdl/mx_gabor.mdl").read_text().partition("import ::math::*;\n")[2].replace("export ", "")
@@ -575,6 +706,12 @@ class ByHand(unittest.TestCase):
                     if count > 1 or not suffix:
                         cases[f"mx_gabornoise{dim}_{kind}{suffix}({amplitude},0.25f,{given})"] = [
                             f"{one}*{noise.format(seed)}+0.25f" for one, seed in zip(amplitudes, seeds)]
+            for octaves, lacunarity, gain, shape, basis, number in FRACTALS:
+                call = f"mx_gaborfractalfield{dim}({given.partition(',')[0]},{octaves}f,{lacunarity}f,{gain}f,{shape},{basis},{number})"
+                three = "_3d" * (dim == "3d")
+                drop_in = (f"gabor_fractal_noise{three}(gabor_place{three}_at({given.partition(',')[0]}),GaborFractal{{{octaves}f,{gain}f,{lacunarity}f,"
+                           f"0.64350111f,{basis},{shape}}},std::uint32_t({number}))")
+                cases[call] = [f"{drop_in}.{part}" for part in ["noise", *(f"gradient.{axis}" for axis in "xyz"[:int(dim[0])])]]
         parts = [f"float({call})" if len(outputs) == 1 else f"{call}.{part}" for call, outputs in cases.items() for part, _ in zip("xyzw", outputs)]
         made, expected = np.split(in_cpp(self.folder, f"{MDL}{text}", [*parts, *(f"float({output})" for outputs in cases.values() for output in outputs)],
                                          "-std=c++17", "-O1", "-fwrapv", "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=2, code="""
@@ -584,7 +721,7 @@ class ByHand(unittest.TestCase):
         for part, one, other in zip(parts, made, expected):
             with self.subTest(part):
                 np.testing.assert_allclose(one, other, rtol=1e-6, atol=2e-3 if "field" in part else 1e-4)
-        self.assertEqual({call.partition("(")[0] for call in cases}, set(re.findall(r"(?m)^\w+ (mx_gabor(?:noise|field|seed)\w*)\(", text)))
+        self.assertEqual({call.partition("(")[0] for call in cases}, set(re.findall(r"(?m)^\w+ (mx_gabor(?:noise|field|fractalfield|seed)\w*)\(", text)))
 
     def test_erosion_in_open_shading_language(self):
         given = re.findall(r"^    (?:float|int) \w+ = ([\d.]+) \[\[", (NODES / "osl" / "gabor_erosion.osl").read_text(), re.MULTILINE)
@@ -611,21 +748,27 @@ class ByHand(unittest.TestCase):
             for pattern, by in (*pairs, (r"(?<![\w.])(\d+\.\d+)(?![\df])", r"\1f")):
                 text = re.sub(pattern, by, text)
             return text
-        unity = replaced((UNITY / "GaborNoise.hlsl").read_text(), (r'#include "gabor_noise.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
-        unreal = (NODES / "unreal" / "custom.hlsl").read_text()
+        unity = replaced((UNITY / "GaborNoise.hlsl").read_text(), (r'#include "gabor_\w+.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
+        unreal, fractal = ((NODES / "unreal" / name).read_text() for name in ("custom.hlsl", "fractal.hlsl"))
         shadertoy = replaced((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], (r"\bout (\w+)", r"\1&"))
         godot = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
         names = [json.loads(re.search(pattern, godot)[1]) for pattern in (r"const NAMES := (\[.*\])", r"return (\[.*\])\[port\]")]
         defaults = json.loads(re.search(r"const DEFAULTS := (\[.*\])", godot)[1])
         self.assertEqual(dict(zip(names[0], defaults)), {"place": None, "frequency": 4, "orientation": 0.7854, "seed": 7})
         godot = re.search(r'return "(vec2 gabor = .*)" % \(inputs \+ outputs\)', godot)[1].replace("\\n", "\n") % tuple(sum(names, []))
-        maker, = json.loads((NODES / "material_maker" / "gabor_noise.mmg").read_text())["shader_model"]["outputs"]
-        maker = replaced(maker["f"], *((rf"\$\b{name}", value) for name, value in dict(
-            uv="(p / 8.0f)", scale="8.0f", frequency="2.5f", orientation="30.0f", seed="0.3f").items()))
-        before = f"{ENGINES}{unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ {unreal} }}\n{shadertoy}"
+        fractals = [replaced(godot_node("fractal", choices)["_get_code"](["p", "4.3f", "0.6f", "-3"], [f"godots[{i}]", f"rises[{i}]"], None, "fragment"))
+                    for i, choices in enumerate(((2, 1, 0), (2, 1, 1)))]
+        given = dict(uv="(p / 8.0f)", scale="8.0f", frequency="2.5f", orientation="30.0f", seed="0.3f", octaves="4.3f", gain="0.6f", basis="1", shape="2")
+        makers = []
+        for name in "noise", "fractal":
+            output, = json.loads((NODES / "material_maker" / f"gabor_{name}.mmg").read_text())["shader_model"]["outputs"]
+            code = replaced(output["f"], *((rf"\${name}\b", value) for name, value in given.items()))
+            makers.append(re.sub(r"GaborFractal\((.*?)\)", r"GaborFractal{\1}", code))
+        before = f"{ENGINES}{unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ {unreal} }}\n"
+        before += f"float unreal_fractal(float2 Place, float Octaves, float Gain, float Shape, float Basis, float Seed) {{ {replaced(fractal)} }}\n{shadertoy}"
         values = [*OUTPUTS, *OUTPUTS.values()]
-        made, expected = np.split(in_cpp(self.folder, before, [value.replace("MAKER", maker) for value in values], "-std=c++17", "-O1",
-                                         "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code=USED.replace("GODOT", godot)), 2)
+        made, expected = np.split(in_cpp(self.folder, before, [value.replace("FRACTAL_MAKER", makers[1]).replace("MAKER", makers[0]) for value in values], "-std=c++17", "-O1",
+                                         "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code=USED.replace("GODOT", godot).replace("FIRST", fractals[0]).replace("SECOND", fractals[1])), 2)
         for output, one, other in zip(OUTPUTS, made, expected):
             with self.subTest(output):
                 self.assertGreater(one.std(), 0.1)
@@ -684,7 +827,10 @@ class ByHand(unittest.TestCase):
                     self.assertEqual(graphs.pop(f"gabornoise{dim}_color{count}"), [f"convert(in=gabornoise{dim}(amplitude=amplitude, {given}))"])
             parts = [part(0), part(1), combined([part(2), part(3)])] if dim == "2d" else [part(0), combined([part(1), part(2), part(3)])]
             self.assertEqual(graphs.pop(f"gaborwave{dim}"), parts)
-        self.assertEqual(set(defined), {f"ND_{name}" for name in (*every, "gaborfield2d", "gaborfield3d", "gaborseed")})
+            given = f"{place}={place}, octaves=octaves, lacunarity=lacunarity, diminish=diminish, shape=shape, basis=basis, seed=seed"
+            parts = [f"extract(in=gaborfractalfield{dim}({given}), index={index})" for index in range(1 + int(dim[0]))]
+            self.assertEqual(graphs.pop(f"gaborfractal{dim}"), [parts[0], combined(parts[1:])])
+        self.assertEqual(set(defined), {f"ND_{name}" for name in (*every, "gaborfield2d", "gaborfield3d", "gaborfractalfield2d", "gaborfractalfield3d", "gaborseed")})
         self.assertEqual(set(graphs), {"gaborbrushedmetal", "gaborstripes2d"})
         values = [re.sub(r"\b(\w+)=(?!=)", "", value) for graph in graphs.values() for value in graph]
         values = [re.sub(r"(?<= )([\d.]+, [\d.]+)(?=\))", r"Value{\1}", re.sub(r"constant\((.*?)\)", r"Value{\1}", value)) for value in values]
@@ -698,6 +844,38 @@ class ByHand(unittest.TestCase):
             const gabor_vec3 stripes = gabor_stripes(p, gabor_wave_vector(3.0f, 0.5235988f), 1.5f, std::uint32_t(seed));"""), 2)
         for one, other in zip(made, wanted):
             np.testing.assert_allclose(one, other, rtol=0, atol=1e-5 * max(1, other.std()))
+
+    def test_fractals_of_three(self):
+        if not shutil.which("node"):
+            self.skipTest("node is not installed")
+        source = (NODES / "three" / "gabor_noise.tsl.js").read_text()
+        (self.folder / "gabor_noise.mjs").write_text(source.replace('"three/tsl"', '"./three_tsl.mjs"'))
+        (self.folder / "three_tsl.mjs").write_text((HERE / "three_tsl.mjs").read_text())
+        (self.folder / "scene.mjs").write_text(TSL_FRACTALS.replace("FRACTALS", json.dumps(FRACTALS)))
+        said = subprocess.run(["node", self.folder / "scene.mjs", self.folder / "values.raw"], check=True, stdout=subprocess.PIPE, text=True).stdout
+        names, code = json.loads(said), CPP_FRACTALS
+        made = np.fromfile(self.folder / "values.raw", "<f4").reshape(len(names), 4, 256)
+        shown = {"smooth": "gabor_smooth(p, 3)", "perlin": "gabor_perlin(p, 3)", "perlin_3d": "gabor_perlin_3d(solid, 3)",
+                 "fbm": "gabor_fbm(p, 4.5f, 0.6f, 3)", "fbm_3d": "gabor_fbm_3d(solid, 4.5f, 0.6f, 3)", "billow": "gabor_billow(p, 4.5f, 0.6f, 3)",
+                 "ridged": "gabor_ridged(p, 4.5f, 0.6f, 3)", "uniform": "gabor_uniform(2.0f * gabor_smooth(p, 3))"}
+        for index, (octaves, lacunarity, gain, shape, basis, seed) in enumerate(FRACTALS):
+            given = f"kind{index}, std::uint32_t({seed})"
+            code += f"""
+                const GaborFractal kind{index} = {{{octaves}f, {gain}f, {lacunarity}f, 0.64350111f, {basis}, {shape}}};
+                const auto flat{index} = gabor_fractal_noise(gabor_place_at(p), {given});
+                const auto solid{index} = gabor_fractal_noise_3d(gabor_place_3d_at(solid), {given});
+                const auto flat_filtered{index} = gabor_fractal_noise_filtered(gabor_place_at(p), dx, dy, {given});
+                const auto solid_filtered{index} = gabor_fractal_noise_3d_filtered(gabor_place_3d_at(solid), solid_dx, solid_dy, {given});
+                const auto tiled{index} = gabor_fractal_noise(place, {given});
+                const auto moved{index} = gabor_warp(gabor_place_at(p), 0.2f, {given});
+                const auto warp{index} = gabor_fractal_noise(moved{index}.place, gabor_fractal(1.0f, 0.0f), 7);"""
+        for name in names[len(shown):]:
+            of, _, part = name.partition(".")
+            shown[name] = name.replace("warp", "moved").replace(" ", ".") if " " in name else f"{of}.gradient.{part}" if part else f"{of}.noise"
+        self.assertEqual(list(shown), names)
+        expected = in_cpp(self.folder, '#include "gabor_fractal.hpp"\n', shown.values(), "-std=c++17", "-O1", "-DGABOR_INLINE=inline", "-I",
+                          SHADERS / "translations", rows=4, code=code)
+        self.compare_fractals(names, made, expected, lambda name: (found := re.match(r"(?!warp\d\.)\w+(\d)[. ]", name)) and FRACTALS[int(found[1])][3] > 0)
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):
@@ -729,10 +907,11 @@ class ByHand(unittest.TestCase):
         y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
         self.assertLess(np.abs(pictures[-17].reshape(32, 256) - reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag).max(), 1e-5)
         declared = re.findall(r"(?s)export function (\w+)\((.*?)\):", source_types)
-        self.assertEqual(dict((name, re.sub(r"\??: \w+", "", given)) for name, given in declared),
-                         dict(re.findall(r"(?m)^export const (\w+) = \(?(.*?)\)? =>", source)))
-        called = set(re.findall(r"\bgabor\.(gabor_\w+)", functions.read_text() + TSL))
-        self.assertEqual(set(re.findall(r"(?m)^export const (\w+)", source)) - called, {"gabor_stripes_of"})
+        defined = re.findall(r"(?m)^export const (\w+) = \(?(.*?)\)? =>", source)
+        self.assertEqual(dict((name, re.sub(r"\??: [\w<>]+", "", given)) for name, given in declared),
+                         dict((name, given.replace(" = {}", "")) for name, given in defined))
+        called = set(re.findall(r"\bgabor\.(gabor_\w+)", functions.read_text() + TSL + TSL_FRACTALS))
+        self.assertEqual(set(re.findall(r"(?m)^export const (gabor_\w+)", source)) - called, {"gabor_stripes_of"})
         # The surface shows two kernel radii per unit, and p grows downwards.
         normal, slope = np.array(pictures[-5:-2], float), 0.05 * 2 * np.array(pictures[-2:], float)
         wanted = np.array([-slope[0], slope[1], np.ones_like(slope[0])]) / np.sqrt(1 + (slope**2).sum(0))

@@ -18,7 +18,7 @@ class Node {
     lessThan(other) { return combined(this, other, (a, b) => a < b); }
     negate() { return mapped(this, a => -a); }
 }
-for (const swizzle of ["x", "y", "z", "w", "zw", "yzw"])
+for (const swizzle of ["x", "y", "z", "w", "yz", "zw", "yzw", "yzx", "zxy"])
     Object.defineProperty(Node.prototype, swizzle, { get() {
         return new Node(this.type, [...swizzle].map(part => this.parts["xyzw".indexOf(part)]));
     } });
@@ -55,9 +55,14 @@ export const vec2 = vector("float", 2);
 export const vec3 = vector("float", 3);
 export const vec4 = vector("float", 4);
 export const ivec2 = vector("int", 2);
+export const ivec3 = vector("int", 3);
 export const abs = node => mapped(node, Math.abs);
 export const exp = node => mapped(node, Math.exp);
 export const floor = node => mapped(node, Math.floor);
+export const ceil = node => mapped(node, Math.ceil);
+export const sqrt = node => mapped(node, Math.sqrt);
+export const inverseSqrt = node => mapped(node, value => 1 / Math.sqrt(value));
+export const pow = (node, power) => combined(node, power, Math.pow);
 export const sign = node => mapped(node, Math.sign);
 export const min = (node, most) => combined(node, most, Math.min);
 export const max = (node, least) => combined(node, least, Math.max);
@@ -84,3 +89,7 @@ const points = Float32Array.from({ length: 256 * 32 }, (_, i) => i);
 const along = place => mapped(new Node("float", [points]), place);
 export const positionView = vec3(along(i => (i % 256 + 0.5) / 64), along(i => -(Math.floor(i / 256) + 0.5) / 64), 0);
 export const normalView = vec3(0, 0, 1);
+export const Loop = (count, body) => { // the same for all points
+    for (let i = 0; i < count.parts[0][0]; ++i)
+        body({ i: int(i) });
+};

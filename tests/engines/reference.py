@@ -187,6 +187,24 @@ def brushed(x, y):
     return np.clip(0.55 * np.exp(0.09 * (tone - 0.045)), 0, 1) + 200 * height
 
 
+def fbm(x, y, octaves=3.3, gain=0.5):
+    """gabor_fbm of gabor_fractal.glsl: each octave is twice as fine as the one before it, turned by atan(3/4), and moved."""
+    place, step = 1.5 * (x + 1j * y), np.round(8192 * np.exp(1j * np.arctan(0.75))) / 4096
+    total, power = 0, 0
+    for octave in range(int(np.ceil(octaves))):
+        salt = mix(words([(SEED * SPREAD + octave * 0x85ebca6b) & 0xffffffff]), np.uint32(0xc2b2ae35))
+
+        def amplitudes(column, row):
+            lines = [words(index) * np.uint32(SPREAD) + (salt ^ np.uint32(mask)) for index, mask in ((column, 0), (row, 0x5bd1e995))]
+            one, other = ((word * (word ^ (word >> 15)) >> 8) | np.uint32(0x800001) for word in lines)
+            return amplitude(one * other)
+        weight = gain**octave * min(octaves - octave, 1)
+        total = total + weight * complex_lattice((0, 0), place.real, place.imag, wave=(0, 0), amplitudes=amplitudes).real
+        power += weight**2
+        place = step * place + 0.382 + 0.731j
+    return total / np.sqrt(power)
+
+
 FUNCTIONS = {
     "noise": lambda x, y: plane(x, y).imag,
     "far": lambda x, y: lattice((1000000000, -1000000000), x, y),
@@ -199,6 +217,7 @@ FUNCTIONS = {
     "brushed metal": brushed,
     "animated": lambda x, y: plane(x, y, time=0.3).imag,
     "solid": solid,
+    "fbm": fbm,
 }
 
 

@@ -385,7 +385,7 @@ class Node(Package):
 
 class Bevy(Node):
     MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose", "erosion", "ocean",
-                                                  "direction")}
+                                                  "direction", "fractal")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
     def made(self, root):
@@ -462,23 +462,25 @@ class Cpp(Node):
 
 class Godot(Node):
     part = place = "addons/gabor_noise"
-    included = {"gabor_noise.gdshaderinc": ["translations/gabor_noise.gdshaderinc"]}
+    included = {f"gabor_{name}.gdshaderinc": [f"translations/gabor_{name}.gdshaderinc"] for name in ("noise", "fractal")}
 
     def test_unpacks_into_addons(self):
         files = self.unpack()
         self.assertEqual({pathlib.PurePath(name).parts[:2] for name in files}, {("addons", "gabor_noise")})
         root = self.folder / "addons" / "gabor_noise"
-        for resource in ("gabor_noise.gdshaderinc", "gabor_noise.gd"):
-            self.assertRegex((root / f"{resource}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
-        for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
-            self.assertIn(path, files)
+        for name in ("gabor_noise", "gabor_fractal"):
+            for ending in ("gdshaderinc", "gd"):
+                self.assertRegex((root / f"{name}.{ending}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
+                for path in re.findall(r"res://([\w./]+)", (root / f"{name}.{ending}").read_text()):
+                    self.assertIn(path, files)
         icon = (root / "icon.png").read_bytes()
         self.assertEqual((icon[:8], struct.unpack(">II", icon[16:24])), (b"\x89PNG\r\n\x1a\n", (128, 128)))
 
 
 class MaterialMaker(Node):
     name = "material_maker"
-    included = {"gabor_noise.mmg": ["translations/gabor_noise.gdshaderinc"]}
+    included = {"gabor_noise.mmg": ["translations/gabor_noise.gdshaderinc"],
+                "gabor_fractal.mmg": ["translations/gabor_noise.gdshaderinc", "translations/gabor_fractal.gdshaderinc"]}
 
     def quoted(self, text):
         return json.dumps(text.decode())[1:-1].encode()
@@ -510,7 +512,9 @@ class MaterialX(Node):
 
 
 class Osl(Node):
-    included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl", "gabor_ocean.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
+    library = "nodes/materialx/libraries/gabor/genosl/lib/mx_gabor"
+    included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl", "gabor_ocean.osl"), [f"{library}.osl"])
+    included["gabor_fractal.osl"] = [f"{library}.osl", f"{library}_fractal.osl"]
 
     def text(self, original):
         """Returns a file of MaterialX's package, which the repository lacks."""
@@ -520,11 +524,11 @@ class Osl(Node):
 
 class Unity(Node):
     place = "package"
-    included = {"gabor_noise.hlsl": ["translations/gabor_noise.hlsl"]}
+    included = {f"gabor_{name}.hlsl": [f"translations/gabor_{name}.hlsl"] for name in ("noise", "fractal")}
 
     def made(self, root):
         """Returns the names of the sub graphs, which tests/dialects/test_nodes.py checks."""
-        return ["Gabor Noise.shadersubgraph", "Gabor Stripes.shadersubgraph"]
+        return [f"Gabor {name}.shadersubgraph" for name in ("Noise", "Stripes", "Fractal", "Fractal Filtered")]
 
     def test_each_file_has_an_id_of_its_own(self):
         """Checks the .meta files, since Unity ignores a package's files that have none."""
@@ -542,15 +546,24 @@ class Unity(Node):
         self.assert_npm_accepts_it()
 
 
+class Pasted(Node):
+    """A node whose files paste HLSL after the HLSL that it includes elsewhere."""
+
+    def text(self, original):
+        return re.sub(rb'#ifndef \w+\n#include "gabor_noise.hlsl"\n#endif\n', b"", super().text(original))
+
+
 PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
     "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"],
-                  "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"]},
-    "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"]},
+                  "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"], "gabor_fractal.frag": ["gabor_noise.glsl", "gabor_fractal.glsl"]},
+    "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"],
+              "gabor_fractal.slang": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
     "three": {},
-    "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]},
+    "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"],
+               "gabor_fractal.ush": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
 }
-NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shims, Unity, *(type(name.title(), (Node,), {"included": included})
-                                                            for name, included in PLAIN.items())]
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shims, Unity,
+         *(type(name.title(), (Pasted if name in ("slang", "unreal") else Node,), {"included": included}) for name, included in PLAIN.items())]
 
 
 AUTHORS, ADDRESS = "The gabor-noise authors", "@REPOSITORY@"

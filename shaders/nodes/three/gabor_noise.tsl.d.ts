@@ -58,3 +58,46 @@ export function gabor_normal(gradient: Node, p: Node, height: Value): Node;
 /** Brushed metal, streaks along x: colour is linear, height and its slope are in units of p. */
 export function gabor_brushed_metal(p: Node, seed: Value):
     { colour: Node, height: Node, slope: Node, roughness: Node, metalness: Node };
+
+/** The noise of an octave. */
+export const GABOR_SMOOTH: 0, GABOR_PERLIN: 1;
+/** What octaves become before they are summed. */
+export const GABOR_FBM: 0, GABOR_BILLOW: 1, GABOR_RIDGED: 2;
+
+/** A sum of 1 to 16 octaves, of which the last one fades in with the fraction. Each basis and shape is a shader of its own. */
+export interface GaborFractal { octaves: Value; gain: Value; lacunarity: Value; turn: Value; basis: 0 | 1; shape: 0 | 1 | 2; }
+export interface GaborFractalNoise { noise: Node; gradient: Node; }
+export interface GaborWarp { place: GaborPlace; dx: Node; dy: Node; }
+
+/**
+ * fBm of smooth noise, unless `choices` has other members of a GaborFractal. `gain` is the amplitude of an octave relative to
+ * the previous one.
+ */
+export function gabor_fractal(octaves: Value, gain: Value, choices?: Partial<GaborFractal>): GaborFractal;
+/**
+ * Any sum of octaves, with mean 0 and variance 1, and its gradient per kernel radius of the first octave. A period must have at
+ * least 8/3 kernel radii.
+ */
+export function gabor_fractal_noise(place: GaborPlace, fractal: GaborFractal, seed: Value): GaborFractalNoise;
+/** The same, averaged over the pixel between dFdx(p) and dFdy(p). */
+export function gabor_fractal_noise_filtered(place: GaborPlace, dx: Node, dy: Node, fractal: GaborFractal, seed: Value):
+    GaborFractalNoise;
+export function gabor_fractal_noise_3d(place: GaborPlace3d, fractal: GaborFractal, seed: Value): GaborFractalNoise;
+export function gabor_fractal_noise_3d_filtered(place: GaborPlace3d, dx: Node, dy: Node, fractal: GaborFractal, seed: Value):
+    GaborFractalNoise;
+/** Sums of smooth octaves: floats. */
+export function gabor_fbm(p: Node, octaves: Value, gain: Value, seed: Value): Node;
+export function gabor_fbm_3d(p: Node, octaves: Value, gain: Value, seed: Value): Node;
+export function gabor_billow(p: Node, octaves: Value, gain: Value, seed: Value): Node;
+export function gabor_ridged(p: Node, octaves: Value, gain: Value, seed: Value): Node;
+/** One octave. gabor_perlin replaces Perlin noise: p is in its cells. */
+export function gabor_smooth(p: Node, seed: Value): Node;
+export function gabor_perlin(p: Node, seed: Value): Node;
+export function gabor_perlin_3d(p: Node, seed: Value): Node;
+/**
+ * Moves a place along two noises whose deviation is `strength` in kernel radii. A gradient g there becomes
+ * (dot(g, dx), dot(g, dy)), and a pixel (a, b) becomes a dx + b dy.
+ */
+export function gabor_warp(place: GaborPlace, strength: Value, fractal: GaborFractal, seed: Value): GaborWarp;
+/** The rank of a normal value among all values, in [0, 1]: gabor_uniform(noise) < 0.3 on 30 % of the area. */
+export function gabor_uniform(noise: Value): Node;

@@ -1,4 +1,5 @@
-// gabor_noise.tsl.js: the noise of gabor_noise.glsl, with GABOR_TAPS 3, as three.js nodes for WebGPU and WebGL 2.
+// gabor_noise.tsl.js: the noise of gabor_noise.glsl, with GABOR_TAPS 3, and the sums of octaves of gabor_fractal.glsl, as
+// three.js nodes for WebGPU and WebGL 2.
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
@@ -6,8 +7,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-import { Fn, abs, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, ivec2, length, max, min, normalView, normalize,
-         positionView, select, sign, uint, vec2, vec3, vec4 } from "three/tsl";
+import { Fn, Loop, abs, ceil, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, inverseSqrt, ivec2, ivec3, length, max, min,
+         normalView, normalize, positionView, pow, select, sign, sqrt, uint, vec2, vec3, vec4 } from "three/tsl";
 
 const ROWS = 0x5bd1e995;
 const SLICES = 0x27d4eb2f;
@@ -68,6 +69,14 @@ const amplitude_at = (word, evolution) => {
         .add(gabor_impl_amplitude(third).mul(turn.y.mul(0.70710678)));
 };
 
+const node_word = (index, salt, period) => {
+    if (period !== undefined) {
+        index = index.sub(index.div(period).mul(period)).toVar();
+        index = select(index.lessThan(int(0)), index.add(period), index);
+    }
+    return gabor_impl_line_word(index, salt).toVar();
+};
+
 // The three nodes along an axis that reach a place, which is in node spacings. `value` is the window times the wave, and
 // `slope` its derivative per kernel radius.
 const axis = (place, wave, salt, radius = float(RADIUS), period) => {
@@ -79,12 +88,7 @@ const axis = (place, wave, salt, radius = float(RADIUS), period) => {
         const phase = gabor_impl_wave(wave.mul(distance).div(radius)).toVar();
         const window = turn.x.mul(0.5).add(0.5).toVar();
         const slope = vec2(turn.y.mul(-TURN / 4).mul(radius).div(RADIUS), window.mul(wave).mul(TURN));
-        let index = int(middle).add(int(i));
-        if (period !== undefined) {
-            index = index.sub(index.div(period).mul(period)).toVar();
-            index = select(index.lessThan(int(0)), index.add(period), index);
-        }
-        return { word: gabor_impl_line_word(index, salt).toVar(), value: phase.mul(window).toVar(),
+        return { word: node_word(int(middle).add(int(i)), salt, period), value: phase.mul(window).toVar(),
                  slope: gabor_impl_product(phase, slope).toVar() };
     });
 };
@@ -138,6 +142,8 @@ const plane_field = ({ p, period, evolution }, wave, seed) => {
 const quadrature_field = function_of("gabor_quadrature_field", ([p, wave, seed]) => quadrature_of(plane(p, wave, seed)),
                                      "vec2 p", "vec2 wave", "uint seed");
 
+const slice_word = (row, slice) => row.mul(slice).shiftRight(uint(8)).bitOr(uint(0x800001));
+
 const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     const place = p.mul(RADIUS).toVar();
     const salt = gabor_impl_salt(seed).toVar();
@@ -145,11 +151,177 @@ const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     const rows = axis(place.y, wave.y, salt.bitXor(uint(ROWS)));
     const slices = axis(place.z, wave.z, salt.bitXor(uint(SLICES)));
     const [value, x, y, z] = along(slices, slice => along(rows, row => {
-        const word = row.word.mul(slice.word).shiftRight(uint(8)).bitOr(uint(0x800001)).toVar();
+        const word = slice_word(row.word, slice.word).toVar();
         return along(columns, column => [amplitude_at(column.word.mul(word).toVar())]);
     }));
     return vec4(value.y, x.y, y.y, z.y).mul(SCALE3D);
 }, "vec3 p", "vec3 wave", "uint seed");
+
+// ---- Sums of octaves: see gabor_fractal.glsl ------------------------------------------------------------------------
+
+const SMOOTH = 0, PERLIN = 1, FBM = 0, BILLOW = 1, RIDGED = 2;
+
+const uniform_of = noise => {
+    const x = clamp(noise, -8, 8).toVar(), y = x.mul(x).toVar();
+    const odds = x.mul(y.mul(y.mul(-0.00063190124).add(0.073597476)).add(1.5954352));
+    return float(1).div(exp(odds.negate()).add(1));
+};
+
+// Divides a window and its derivative at each node by the root of the sum of the squared windows, and multiplies both by `kept`.
+const normalized = (windows, kept) => {
+    const sum = terms => terms.reduce((sum, term) => sum.add(term)).toVar();
+    const scale = inverseSqrt(sum(windows.map(([value]) => value.mul(value)))).toVar();
+    const drift = sum(windows.map(([value, slope]) => value.mul(slope))).mul(scale).mul(scale).toVar();
+    const factor = kept ? scale.mul(kept).toVar() : scale;
+    return windows.map(([value, slope]) => [value.mul(factor).toVar(), slope.sub(drift.mul(value)).mul(factor).toVar()]);
+};
+
+const kept_even = variance =>
+    inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.388).div(variance.add(0.6)).add(2.9)).add(1))).toVar();
+const kept_odd = variance => {
+    const kept = inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.163).div(variance.add(0.2)).add(2.79)).add(1))).toVar();
+    return kept.mul(kept).mul(kept).toVar();
+};
+
+// The nodes along an axis that reach a place, with their windows [value, slope]; only Perlin noise has odd ones.
+const octave_axis = (place, salt, basis, period, variance) => {
+    const nodes = basis === PERLIN || variance ? [-1, 0, 1, 2] : [-1, 0, 1], [low, high] = nodes.length === 4 ? [0, 1] : [-0.5, 0.5];
+    const middle = floor(place.sub(low)).toVar();
+    const offset = clamp(place.sub(middle), low, high).toVar();
+    const words = nodes.map(i => node_word(int(middle).add(int(i)), salt, period));
+    const even = [], odd = [];
+    for (const i of nodes) {
+        const distance = offset.sub(i);
+        if (basis === PERLIN) {
+            const turn = gabor_impl_wave(distance.mul(0.25)).toVar(), t = variance ? min(variance.mul(5.5), 2).toVar() : float(0);
+            const hann = turn.x.mul(0.5).add(0.5).toVar(), slope = turn.y.mul(-0.78539816).toVar();
+            const share = t.mul(2).add(2).sub(t.mul(hann).mul(3)).toVar(), v = slope.mul(hann).mul(share).toVar();
+            even.push([hann.mul(hann).mul(t.sub(t.mul(hann)).add(1)).toVar(), v]);
+            odd.push([v, turn.x.mul(hann).mul(share).mul(-1.2337006).add(slope.mul(slope).mul(share.sub(t.mul(hann).mul(3)))).toVar()]);
+        } else {
+            const half_width = variance ? min(sqrt(variance.div(0.294).add(1)).mul(1.5), 2) : float(1.5);
+            const turn = gabor_impl_half_turn(clamp(distance.div(half_width.mul(4)), -0.25, 0.25)).toVar();
+            even.push([turn.x.mul(turn.x).toVar(), turn.x.mul(turn.y).mul(-3.1415927).div(half_width).toVar()]);
+        }
+    }
+    const [evens, odds] = [normalized(even, variance && kept_even(variance)), odd.length ? normalized(odd, variance && kept_odd(variance)) : []];
+    return words.map((word, i) => ({ word, even: evens[i], odd: odds[i] }));
+};
+
+const sum_of = terms => terms.reduce((sums, term) => sums.map((sum, index) => sum.add(term[index]).toVar()));
+const times = ([value, slope], factor) => [value.mul(factor), slope.mul(factor)];
+
+// A sum over a plane of nodes, and its derivatives along x and y: of A u(x) u(y) or, if mixed, of A v(x) u(y) + B u(x) v(y).
+const plane_sum = (columns, rows, mixed, evolution) => sum_of(rows.map(row => {
+    const terms = sum_of(columns.map(column => {
+        const amplitude = amplitude_at(column.word.mul(row.word).toVar(), evolution).toVar();
+        return mixed ? [...times(column.odd, amplitude.x), ...times(column.even, amplitude.y)] : times(column.even, amplitude.x);
+    }));
+    return [[0, 0], [0, 1], [1, 0]].map(([y, x]) => { // which derivatives
+        const term = row.even[y].mul(terms[x]);
+        return mixed ? term.add(row.odd[y].mul(terms[x + 2])) : term;
+    });
+}));
+
+const solid_sum = (columns, rows, slices, mixed, evolution) => sum_of(slices.map(slice => {
+    const within = rows.map(row => ({ ...row, word: slice_word(row.word, slice.word).toVar() }));
+    const sum = plane_sum(columns, within, mixed, evolution), [value, slope] = slice.even;
+    const terms = [...sum.map(each => each.mul(value)), sum[0].mul(slope)];
+    if (!mixed) return terms;
+    const third = plane_sum(columns, within.map(row => ({
+        ...row, word: slice_word(row.word.bitXor(row.word.shiftRight(uint(15))), uint(0xd35a2d97)).toVar(),
+    })), false, evolution);
+    return [...third.map(each => each.mul(slice.odd[0])), third[0].mul(slice.odd[1])].map((term, index) => terms[index].add(term));
+}));
+
+// A function for each dimension, basis, shape and kind of place, filtered or not. Octaves and gain may vary.
+const octaves_field = (size, { p, period, evolution }, pixel, { octaves, gain, lacunarity, turn, basis, shape }, seed) => {
+    const kind = `${period ? "_tiled" : ""}${evolution === undefined ? "" : "_animated"}${pixel ? "_filtered" : ""}`;
+    const name = `gabor_octaves_${size}d_${basis}_${shape}${kind}`, type = `vec${size}`, vec = size === 2 ? vec2 : vec3;
+    const parts = ["x", "y", "z"].slice(0, size).map(part => value => value[part]), perlin = basis === PERLIN;
+    made[name] ??= function_of(name, ([p, octaves, gain, lacunarity, turn, seed, ...others]) => {
+        const side = period && others.shift(), turns = evolution === undefined ? undefined : others.shift(), [dx, dy] = others;
+        const axes = parts.map((_, axis) => vec(...parts.map((_, index) => Number(index === axis))));
+        const moved = size === 2 ? vec2(0.382, 0.731) : vec3(0.382, 0.731, 0.545);
+        const growth = clamp(lacunarity, 1, 4).toVar(), unit = gabor_impl_wave(turn.mul(0.15915494)).toVar();
+        const rest = float(1).sub(unit.x).div(3), lean = unit.y.mul(0.57735027);
+        const rotation = size === 2 ? unit : vec3(unit.x.add(rest), rest.sub(lean), rest.add(lean));
+        const by = floor(rotation.mul(growth).mul(4096).add(0.5)).div(4096).toVar();
+        const stepped = v => size === 2 ? gabor_impl_product(by, v) : v.mul(by.x).add(v.yzx.mul(by.y)).add(v.zxy.mul(by.z));
+
+        const first = side && max(floor(clamp(side, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec(3)).toVar();
+        const density = side ? first.div(side).toVar() : vec(RADIUS);
+        const start = p.mul(density).toVar(), place = start.toVar();
+        const lines = axes.map(axis => axis.mul(density).toVar());
+        const count = clamp(octaves, 1, 16).toVar(), amplitude = float(1).toVar(), power = float(0).toVar();
+        const value = float(0).toVar(), gradient = vec(0).toVar();
+        Loop(int(ceil(count)), ({ i }) => {
+            let nodes;
+            if (side) {
+                nodes = min(floor(first.mul(pow(growth, float(i))).add(0.5)), 1e9).toVar();
+                const scale = nodes.div(first).toVar();
+                place.assign(start.sub(first.mul(floor(start.div(first)))).mul(scale).add(moved.mul(float(i))));
+                lines.forEach((line, index) => line.assign(axes[index].mul(density).mul(scale)));
+            }
+            let variance, oblique, kept;
+            if (pixel) {
+                const [a, b] = [dx, dy].map(step => clamp(lines.map((line, index) => line.mul(parts[index](step)))
+                    .reduce((sum, term) => sum.add(term)).mul(0.5), -1000, 1000).toVar());
+                variance = a.mul(a).add(b.mul(b)).toVar();
+                const pairs = parts.flatMap((one, index) => parts.slice(index + 1).map(other => [one, other]));
+                oblique = pairs.map(([one, other]) => {
+                    const covariance = one(a).mul(other(a)).add(one(b).mul(other(b))).toVar();
+                    const room = one(variance).mul(2.9).add(1).mul(other(variance).mul(2.9).add(1));
+                    return float(1).div(float(1).sub(covariance.mul(covariance).mul(4.205).div(room)));
+                }).reduce((product, factor) => product.mul(factor)).toVar();
+                const evens = parts.map(part => kept_even(part(variance))).map(each => each.mul(each));
+                kept = evens.reduce((product, factor) => product.mul(factor)).toVar();
+                if (perlin) {
+                    kept = parts.map((part, index) => kept_odd(part(variance)).mul(kept_odd(part(variance))).mul(kept).div(evens[index]))
+                        .reduce((sum, term) => sum.add(term)).div(size).toVar();
+                    oblique = oblique.mul(oblique).mul(oblique).toVar();
+                }
+                oblique = min(oblique, inverseSqrt(kept)).mul(clamp(kept.mul(oblique).mul(oblique).mul(1000).sub(1), 0, 1)).toVar();
+                kept = kept.mul(oblique).mul(oblique).toVar();
+            }
+            const salt = gabor_impl_mix(seed.mul(uint(0x9e3779b1)).add(uint(i).mul(uint(0x85ebca6b))), uint(0xc2b2ae35)).toVar();
+            const whole = nodes && (size === 2 ? ivec2(nodes) : ivec3(nodes)).toVar();
+            const nodes_along = parts.map((part, index) => octave_axis(part(place), index ? salt.bitXor(uint([0, ROWS, SLICES][index])) : salt, basis,
+                                                                       whole && part(whole), variance && part(variance)));
+            const sums = (size === 2 ? plane_sum : solid_sum)(...nodes_along, perlin, turns);
+            const factor = float(SCALE2D * 1.125 / (perlin ? Math.sqrt(size) : 1));
+            const [noise, ...slopes] = sums.map(sum => sum.mul(oblique ? oblique.mul(factor) : factor).toVar());
+            const slope = vec(...lines.map(line => dot(vec(...slopes), line))).toVar();
+            const weight = amplitude.mul(min(count.sub(float(i)), 1)).toVar();
+            power.assign(power.add(weight.mul(weight)));
+            amplitude.assign(amplitude.mul(gain));
+            if (shape === FBM) {
+                value.assign(value.add(weight.mul(noise)));
+                gradient.assign(gradient.add(slope.mul(weight)));
+            } else {
+                let mean = abs(noise), rise = sign(noise);
+                if (kept) { // the mean of |n| over what the filter removed
+                    const deviation = sqrt(max(float(1).sub(kept), 1e-8)).toVar(), t = clamp(noise.div(deviation), -9, 9).toVar();
+                    rise = uniform_of(t).mul(2).sub(1).toVar();
+                    mean = deviation.mul(exp(t.mul(t).mul(-0.5))).mul(0.79788456).add(noise.mul(rise));
+                }
+                const share = weight.mul(shape === RIDGED ? -1.6588964 : 1.6588964).toVar();
+                value.assign(value.add(share.mul(mean.sub(0.79788456))));
+                gradient.assign(gradient.add(slope.mul(share.mul(rise))));
+            }
+            if (!side) {
+                place.assign(stepped(place).add(moved));
+                lines.forEach(line => line.assign(stepped(line)));
+            }
+        });
+        const scale = inverseSqrt(max(power, 1e-30)).toVar();
+        return vec4(value, gradient, ...size === 2 ? [0] : []).mul(scale);
+    }, `${type} p`, "float octaves", "float gain", "float lacunarity", "float turn", "uint seed", ...period ? [`${type} period`] : [],
+    ...evolution === undefined ? [] : ["float evolution"], ...pixel ? [`${type} dx`, `${type} dy`] : []);
+    const value = made[name](p, octaves, gain, lacunarity, turn, seed, ...period ? [period] : [], ...evolution === undefined ? [] : [evolution],
+                             ...pixel ?? []).toVar();
+    return { noise: value.x, gradient: size === 2 ? value.yz : value.yzw };
+};
 
 // ---- Public functions ----------------------------------------------------------------------------------------------
 
@@ -218,4 +390,35 @@ export const gabor_brushed_metal = (p, seed) => {
     }
     const colour = clamp(vec3(0.55, 0.555, 0.565).mul(exp(tone.sub(0.045).mul(0.09))), 0, 1);
     return { colour, height, slope, roughness: float(0.36), metalness: float(1) };
+};
+
+export const GABOR_SMOOTH = SMOOTH, GABOR_PERLIN = PERLIN;
+export const GABOR_FBM = FBM, GABOR_BILLOW = BILLOW, GABOR_RIDGED = RIDGED;
+
+export const gabor_uniform = noise => uniform_of(float(noise));
+
+export const gabor_fractal = (octaves, gain, choices = {}) =>
+    ({ octaves, gain, lacunarity: 2, turn: 0.64350111, basis: SMOOTH, shape: FBM, ...choices });
+export const gabor_fractal_noise = (place, fractal, seed) => octaves_field(2, place, undefined, fractal, seed);
+export const gabor_fractal_noise_filtered = (place, dx, dy, fractal, seed) => octaves_field(2, place, [dx, dy], fractal, seed);
+export const gabor_fractal_noise_3d = (place, fractal, seed) => octaves_field(3, place, undefined, fractal, seed);
+export const gabor_fractal_noise_3d_filtered = (place, dx, dy, fractal, seed) => octaves_field(3, place, [dx, dy], fractal, seed);
+
+export const gabor_smooth = (p, seed) => gabor_fbm(p, 1, 0, seed);
+export const gabor_perlin = (p, seed) =>
+    gabor_fractal_noise(gabor_place_at(vec2(p).mul(1.186)), gabor_fractal(1, 0, { basis: PERLIN }), seed).noise;
+export const gabor_perlin_3d = (p, seed) =>
+    gabor_fractal_noise_3d(gabor_place_3d_at(vec3(p).mul(1.186)), gabor_fractal(1, 0, { basis: PERLIN }), seed).noise;
+export const gabor_fbm = (p, octaves, gain, seed) => gabor_fractal_noise(gabor_place_at(p), gabor_fractal(octaves, gain), seed).noise;
+export const gabor_fbm_3d = (p, octaves, gain, seed) => gabor_fractal_noise_3d(gabor_place_3d_at(p), gabor_fractal(octaves, gain), seed).noise;
+export const gabor_billow = (p, octaves, gain, seed) =>
+    gabor_fractal_noise(gabor_place_at(p), gabor_fractal(octaves, gain, { shape: BILLOW }), seed).noise;
+export const gabor_ridged = (p, octaves, gain, seed) =>
+    gabor_fractal_noise(gabor_place_at(p), gabor_fractal(octaves, gain, { shape: RIDGED }), seed).noise;
+
+export const gabor_warp = (place, strength, fractal, seed) => {
+    const [x, y] = [0, 1].map(part => gabor_fractal_noise(place, fractal, gabor_derived_seed(seed, part)));
+    return { place: { ...place, p: vec2(place.p).add(vec2(x.noise, y.noise).mul(strength)) },
+             dx: vec2(x.gradient.x, y.gradient.x).mul(strength).add(vec2(1, 0)),
+             dy: vec2(x.gradient.y, y.gradient.y).mul(strength).add(vec2(0, 1)) };
 };

@@ -11,11 +11,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 from scene import CALLS, calls_on_vulkan, report  # noqa: E402
 
-MODULES = "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "direction"  # each after those that it imports
+MODULES = "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "direction", "fractal"  # each after those that it imports
 SCENE = """#import gabor_noise::noise::{gabor_field, gabor_noise, gabor_noise_animated, gabor_noise_quadrature,
-    gabor_noise_gradient, gabor_noise_tiled, gabor_place, gabor_stripes, gabor_wave_vector}
-#import gabor_noise::noise_3d::{gabor_field_3d, gabor_place_3d_at}
+    gabor_noise_gradient, gabor_noise_tiled, gabor_place, gabor_place_3d_at, gabor_stripes, gabor_wave_vector}
+#import gabor_noise::noise_3d::gabor_field_3d
 #import gabor_noise::materials::gabor_brushed_metal
+#import gabor_noise::fractal::gabor_fbm
 fn solid(p: vec2f) -> f32 {
     let field = gabor_field_3d(gabor_place_3d_at(vec3f(p, 0.3)), 4.0 * normalize(vec3f(1.0, 2.0, 3.0)), 7u);
     return field.noise + dot(field.gradient, vec3f(1.0, 2.0, 3.0)) / 64.0;
@@ -26,7 +27,7 @@ fn solid(p: vec2f) -> f32 {
     values[pixel.y * 256u + pixel.x] = VALUE;
 }
 """
-FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec2i")) for name, call in CALLS.items()} | {"solid": "solid(p)"}
+FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec2i")) for name, call in CALLS.items()} | {"solid": "solid(p)", "fbm": "gabor_fbm(p, 3.3, 0.5, 7u)"}
 
 
 def compiled(source, spirv):

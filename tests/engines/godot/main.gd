@@ -8,19 +8,23 @@ func _ready() -> void:
 		add_child(rectangle(load("res://noise.gdshader"), true))
 		return
 	var node := arguments[1] == "node"
-	var values := compute() if arguments[1] == "compute" else await canvas(visual(true) if node else load("res://noise.gdshader"))
+	var values := compute() if arguments[1] == "compute" else await canvas(visual("noise", true) if node else load("res://noise.gdshader"))
 	if node: # its default position, UV * 8, is the same here
 		values.resize(256 * 256)
-		var unconnected := await canvas(visual(false))
+		var unconnected := await canvas(visual("noise", false))
 		for i in values.size():
 			if not absf(unconnected[i] - values[i]) < 1e-4:
 				OS.crash("unconnected: %s instead of %s at %d" % [unconnected[i], values[i], i])
+		values.append_array((await canvas(visual("fractal", true))).slice(0, 256 * 256))
 	FileAccess.open("res://" + arguments[0], FileAccess.WRITE).store_buffer(values.to_byte_array())
-	print(JSON.stringify({
+	var facts := {
 		engine = "Godot", version = Engine.get_version_info().string,
 		dialect = {compute = "GLSL 450, compute", canvas = "Godot, canvas", node = "Godot, visual shader"}[arguments[1]],
 		driver = "%s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()],
-	}))
+	}
+	if node:
+		facts.functions = ["noise", "fbm"]
+	print(JSON.stringify(facts))
 	get_tree().quit()
 
 func rectangle(shader: Shader, shown: bool) -> ColorRect:
@@ -31,9 +35,9 @@ func rectangle(shader: Shader, shown: bool) -> ColorRect:
 	result.material.set_shader_parameter("shown", shown)
 	return result
 
-## Makes a visual shader with the addon's node, a node for its position, which may stay unconnected, and a node that writes the
+## Makes a visual shader with one of the addon's nodes, a node for its position, which may stay unconnected, and a node that writes the
 ## noise's 32 bits as four bytes.
-func visual(connected: bool) -> VisualShader:
+func visual(kind: String, connected: bool) -> VisualShader:
 	var shader := VisualShader.new()
 	shader.set_mode(Shader.MODE_CANVAS_ITEM)
 	shader.set("modes/blend", 5) # disabled
@@ -48,10 +52,12 @@ func visual(connected: bool) -> VisualShader:
 	bytes.expression = """uint bits = floatBitsToUint(noise);
 		colour = vec3(uvec3(bits, bits >> 8u, bits >> 16u) & uvec3(255u)) / 255.0;
 		alpha = float(bits >> 24u) / 255.0;"""
-	var noise: VisualShaderNodeCustom = load("res://addons/gabor_noise/gabor_noise.gd").new()
+	var noise: VisualShaderNodeCustom = load("res://addons/gabor_noise/gabor_%s.gd" % kind).new()
 	for port in noise._get_input_port_count(): # as the editor does
 		if noise._get_input_port_default_value(port) != null:
 			noise.set_input_port_default_value(port, noise._get_input_port_default_value(port))
+	if kind == "fractal":
+		noise.set_input_port_default_value(1, 3.3)
 	var nodes := [place, noise, bytes]
 	for i in nodes.size():
 		shader.add_node(VisualShader.TYPE_FRAGMENT, nodes[i], Vector2(300 * i, 0), i + 2)

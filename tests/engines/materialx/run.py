@@ -61,6 +61,7 @@ def out(*inputs):
 
 FLAT = "texcoord vector2 @place", "frequency float 4.0", "orientation float 45.000104", "seed integer 7"
 SOLID = "position vector3 @spot", "frequency float 4.0", "direction vector3 1, 2, 3", "seed integer 7"
+FRACTAL = "octaves float 3.3", "lacunarity float 2", "diminish float 0.5", "seed integer 7"
 PLACE = node("position", "position", "vector3", "space string world") + node("floor", "pixel", "vector3", "in vector3 @position") \
     + node("add", "middle", "vector3", "in1 vector3 @pixel", "in2 vector3 0.5, 0.5, 9.6") \
     + node("multiply", "spot", "vector3", "in1 vector3 @middle", "in2 float 0.03125") \
@@ -81,6 +82,7 @@ FUNCTIONS = {
     "brushed metal": node("gaborbrushedmetal", "metal", "multioutput", "texcoord vector2 @place", "seed integer 7")
                      + node("extract", "red", "float", "in color3 @metal.base_color")
                      + node("multiply", "weighed", "float", "in1 float @metal.height", "in2 float 200") + out("@red", "@weighed"),
+    "fbm": node("gaborfractal2d", "fractal", "multioutput", FLAT[0], *FRACTAL) + out("@fractal.noise", "0"),
 }
 
 
@@ -90,10 +92,12 @@ def graph(name, nodes, *outputs):
 
 # A surface whose inputs are the outputs of all nodes.
 SHOWN = ("base_color color3 @colour", "specular_roughness float @rough", "specular_color color3 @metal.base_color",
-         "coat float @stripes.sine", "sheen float @steep")
+         "coat float @stripes.sine", "sheen float @steep", "subsurface float @fractal.noise", "transmission float @solid.noise")
 SURFACE = graph("graph", WAVE + STRIPES + node("gabornoise2d", "colour", "color3", *FLAT, "amplitude float 0.25", "pivot float 0.5")
                 + node("gabornoise3d", "rough", "float", *SOLID) + node("magnitude", "steep", "float", "in vector2 @wave.gradient")
-                + node("gaborbrushedmetal", "metal", "multioutput", "texcoord vector2 @place"), *SHOWN) \
+                + node("gaborbrushedmetal", "metal", "multioutput", "texcoord vector2 @place")
+                + node("gaborfractal2d", "fractal", "multioutput", FLAT[0], *FRACTAL)
+                + node("gaborfractal3d", "solid", "multioutput", SOLID[0], *FRACTAL, "basis integer 1"), *SHOWN) \
     + '<standard_surface name="surface" type="surfaceshader">' \
     + "".join('<input name="{0}" type="{1}" nodegraph="graph" output="{0}" />'.format(*each.split()) for each in SHOWN) \
     + "</standard_surface>" + node("surfacematerial", "scene", "material", "surfaceshader surfaceshader @surface")
@@ -163,14 +167,16 @@ VALUES = {
     "gradient": "field2d(p, 7).x + (field2d(p, 7).z + 2.0 * field2d(p, 7).w) / 32.0",
     "four": "0.25 * (field2d(p, 7).x + 2.0 * field2d(p, part(-1)).x + 3.0 * field2d(p, part(-2)).x + 4.0 * field2d(p, part(-3)).x)",
     "solid": "field3d(p).x + (field3d(p).y + 2.0 * field3d(p).z + 3.0 * field3d(p).w) / 64.0",
+    "fbm": "fractal2d(p).x",
 }
 MDL_FOUR = "dot(mx_gabornoise2d_vector4(float4(0.25, 0.5, 0.75, 1.0), 0.0, p, 4.0, 45.000104, 7), float4(1.0, 1.0, 1.0, 1.0))"
 CALLS = """
 float4 field2d(float2 p, int seed) { float4 r; mx_gaborfield2d(p, 4.0, 45.000104, seed, r); return r; }
 float4 field3d(float2 p) { float4 r; mx_gaborfield3d(float3(p.x, p.y, 0.3), 4.0, float3(1.0, 2.0, 3.0), 7, r); return r; }
+float3 fractal2d(float2 p) { float3 r; mx_gaborfractalfield2d(p, 3.3, 2.0, 0.5, 0, 0, 7, r); return r; }
 int part(int index) { int r; mx_gaborseed(7, index, r); return r; }
 """
-RETURNING = re.sub(r"float4 r; (\w+\(.*?), r\); return r;", r"return \1);", CALLS.replace("int r;", "float4 r;"))
+RETURNING = re.sub(r"float\d r; (\w+\(.*?), r\); return r;", r"return \1);", CALLS.replace("int r;", "float4 r;"))
 GLSL = """#version 450
 FUNCTIONS
 layout(local_size_x = 8) in;

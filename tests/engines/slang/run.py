@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 
+import numpy as np
 import slangpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
@@ -17,4 +18,5 @@ def compiled(source, spirv):
 
 calls = [re.sub(r"\bvec(?=\d)", "float", call.replace("ivec", "int")) for call in CALLS.values()]
 driver, values = calls_on_vulkan("slang", "slang", "import gabor_noise;" + SLANG, calls, compiled)
-report(sys.argv[1], values, "Slang", slangpy.__version__, "a module, to SPIR-V", driver, functions=list(CALLS))
+_, sums = calls_on_vulkan("slang", "slang", "import gabor_fractal;" + SLANG, ["gabor_fbm(p, 3.3, 0.5, 7u)"], compiled)
+report(sys.argv[1], np.concatenate([values, sums]), "Slang", slangpy.__version__, "a module, to SPIR-V", driver, functions=[*CALLS, "fbm"])

@@ -17,5 +17,6 @@ export const functions = (gabor, { dot, normalize, vec2, vec3 }, p) => {
         solid: space.noise.add(dot(space.gradient, vec3(1, 2, 3)).div(64)),
         stripes: stripes.x.mul(0.25).add(stripes.y.mul(0.5)).add(stripes.z.mul(0.75)),
         "brushed metal": metal.colour.x.add(metal.height.mul(200)),
+        fbm: gabor.gabor_fbm(p, 3.3, 0.5, seed),
     };
 };

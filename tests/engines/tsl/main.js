@@ -35,6 +35,18 @@ async function normal_error(renderer) {
     return Math.max(...await reds(renderer, () => renderer.render(scene, camera)));
 }
 
+// Returns how much fBm of Perlin noise in 3D, and warped and tiled smooth noise, change if they are filtered over no pixel.
+async function filter_error(renderer) {
+    const p = uv().mul(8), place = gabor.gabor_place_3d_at(vec3(p, 0.3)), fractal = gabor.gabor_fractal(4.3, 0.5, { basis: gabor.GABOR_PERLIN });
+    const flat = gabor.gabor_warp({ ...gabor.gabor_place_tiled(p, tsl.vec2(4, 5)), evolution: 0.3 }, 0.3, gabor.gabor_fractal(3, 0.5), 7).place;
+    const material = new THREE.NodeMaterial(), none = [tsl.vec2(0), tsl.vec2(0)], smooth = gabor.gabor_fractal(3, 0.5);
+    material.fragmentNode = vec4(
+        tsl.abs(gabor.gabor_fractal_noise_3d(place, fractal, 7).noise.sub(
+            gabor.gabor_fractal_noise_3d_filtered(place, vec3(0), vec3(0), fractal, 7).noise)).add(
+        tsl.abs(gabor.gabor_fractal_noise(flat, smooth, 7).noise.sub(gabor.gabor_fractal_noise_filtered(flat, ...none, smooth, 7).noise))), 0, 0, 1);
+    return Math.max(...await reds(renderer, () => new THREE.QuadMesh(material).render(renderer)));
+}
+
 async function draw() {
     const renderer = new THREE.WebGPURenderer({ forceWebGL });
     await renderer.init();
@@ -55,6 +67,9 @@ async function draw() {
     const error = await normal_error(renderer);
     if (!(error < 1e-3))
         throw new Error(`gabor_normal is off by ${error}`);
+    const filtered = await filter_error(renderer);
+    if (!(filtered < 1e-4))
+        throw new Error(`without a pixel, filters change noise by ${filtered}`);
 
     const shown = new THREE.QuadMesh(new THREE.NodeMaterial());
     shown.material.fragmentNode = vec4(vec3(gabor.gabor_unorm(made.noise)), 1);

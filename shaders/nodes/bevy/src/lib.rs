@@ -12,6 +12,7 @@ impl Plugin for GaborNoisePlugin {
         load_shader_library!(app, "direction.wgsl");
         load_shader_library!(app, "spectrum.wgsl");
         load_shader_library!(app, "filter.wgsl");
+        load_shader_library!(app, "fractal.wgsl");
         load_shader_library!(app, "noise_3d.wgsl");
         load_shader_library!(app, "filter_3d.wgsl");
         load_shader_library!(app, "materials.wgsl");

@@ -1,0 +1,1 @@
+#include "../../translations/gabor_fractal.hlsl"
