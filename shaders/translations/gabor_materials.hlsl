@@ -597,12 +597,18 @@ GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade) 
     return made;
 }
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+float2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
+}
+
 GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     float2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine_of(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              float3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              float3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the

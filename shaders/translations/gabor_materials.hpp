@@ -497,12 +497,18 @@ struct GaborImplSpotsLine {
     gabor_vec2 fade;
 };
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+GABOR_INLINE gabor_vec2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
+    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_CELLS_PER_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
+}
+
 GABOR_INLINE GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * (b.offset - float(index)));
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index)};
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the

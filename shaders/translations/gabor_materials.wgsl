@@ -480,12 +480,18 @@ struct GaborImplSpotsLine {
     fade: vec2f,
 }
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+fn gabor_impl_spots_fade(b: GaborImplFilteredAxis, index: i32) -> vec2f {
+    let d = b.offset - f32(index); let t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * vec2f(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
+}
+
 fn gabor_impl_spots_line(b: GaborImplFilteredAxis, index: i32) -> GaborImplSpotsLine {
     let turn = gabor_impl_wave(0.5 / b.reach * (b.offset - f32(index)));
     let real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     let imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              vec3f(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              vec3f(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the

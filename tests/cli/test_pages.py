@@ -92,7 +92,7 @@ class Engines(ProgramTest):
         names = ["noise.png", "recipe-lattice-2",
                  *(f"gallery/{name}" for name in "wood gradient phasor horizon tiled lobes painted animated slice sphere reflections".split())]
         if importlib.util.find_spec("moderngl"):
-            names.append("direction-maps")
+            names += ["direction-maps", "gallery/fractal"]
         for name in names:
             drawn = gallery["PICTURES"][name]()
             ending = "" if "." in name else ".webp" if isinstance(drawn, list) else ".jpg"

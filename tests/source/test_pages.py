@@ -39,6 +39,20 @@ class Pages(unittest.TestCase):
     def test_readme_is_short(self):
         self.assertLessEqual(len(README.split()), 800)
 
+    def test_the_page_of_other_noises_is_short(self):
+        self.assertLessEqual(len((ROOT / "docs" / "other-noises.md").read_text().split()), 700)
+
+    def test_the_code_that_replaces_other_noises_compiles(self):
+        """In docs/other-noises.md and docs/gallery.md: all blocks that call gabor_fractal.glsl."""
+        blocks = re.findall(r"(?ms)^```glsl\n(.*?)^```", "".join((ROOT / "docs" / f"{name}.md").read_text() for name in ("other-noises", "gallery")))
+        blocks = [block for block in blocks if re.search("gabor_(perlin|fractal|fbm)", block)]
+        self.assertEqual(len(blocks), 3)
+        drop_ins = "".join((ROOT / f"shaders/gabor_{name}.glsl").read_text() for name in ("noise", "fractal"))
+        for block in blocks:
+            self.compile(f"#version 450\n{drop_ins}layout(location = 0) in vec4 given;\nvoid main()\n{{\n"
+                         "vec2 p = given.xy;\nfloat mean = 0.0, deviation = 0.3, k = 1.0, octaves = 5.0;\nuint seed = 7u;\n"
+                         f"{block}}}\n")
+
     def test_the_code_to_paste_compiles(self):
         code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_noise.glsl"',
                                                                          (ROOT / "shaders/gabor_noise.glsl").read_text())
