@@ -11,7 +11,7 @@
 //     period       is 1/1024 to 500000 along each axis, 0 for none
 //     seed         is a whole number, |seed| <= 900000; a fraction is dropped
 // highp must have 32 bits. At 16 bits, the hash fails: its products reach 1041420, but whole numbers are exact only up
-// to 2048, and infinite above 65504. The noise is then mostly NaN.
+// to 2048, and infinite above 65504. The noise is then NaN, or the same for all seeds where max drops NaN.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 

@@ -161,14 +161,16 @@ def mean_fits():
             fit("gabor_filter_3d.glsl", "gabor_impl_transmitted_isotropic", "coordinate on a sphere", sphere, 2 / 3, pi / 4, 0.012, 0.1)]
 
 
-def below_fit():
+def below_fits():
     x = np.linspace(0.0, 4.0, 2001)[1:]
     target = normal_below(x)
 
     def model(p):
         return 1 / (1 + np.exp2(-x * (p[0] + x * x * (p[1] + p[2] * x * x))))
-    return Fit("gabor_materials.glsl", "gabor_impl_below", "the normal distribution function, minimax",
-               refine(model, [2.3, 0.1, 0.0], target, minimax), lambda p: abs(model(p) - target).max(), 5e-4)
+    best, about = refine(model, [2.3, 0.1, 0.0], target, minimax), "the normal distribution function, minimax"
+    return [Fit("gabor_materials.glsl", "gabor_impl_below", about, best, lambda p: abs(model(p) - target).max(), 5e-4),
+            *(Fit(file, "gabor_uniform", f"{about}, with exp instead of exp2", best * math.log(2),
+                  lambda p: abs(model(p / math.log(2)) - target).max(), 5e-4) for file in ("gabor_noise.glsl", "gabor_float.glsl"))]
 
 
 def leather_fit():
@@ -242,7 +244,7 @@ def polynomial_fits():
 
 
 def fits():
-    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), below_fit(), leather_fit(), profile_fit(),
+    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), *below_fits(), leather_fit(), profile_fit(),
             sea_fit()]
 
 

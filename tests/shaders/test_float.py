@@ -163,6 +163,28 @@ class Values(unittest.TestCase):
                     self.assertFalse(error.max() > 1e-5 or np.isnan(error).any(), f"{version} {step} {start} {seed} {where}")
 
 
+    def test_skia_draws_it(self):
+        try:
+            import skia
+        except ImportError as error:
+            self.skipTest(f"needs skia-python: {error}")
+        effect = skia.RuntimeEffect.MakeForShader(TEXT + """
+            half4 main(float2 at) {
+                float2 p = (at - 32.5) * 0.125;
+                return half4(0.1 * gabor_noise_gradient(p, 3.0, 0.7, 7.0).xy, 0.1 * gabor_noise_tiled(p, float2(4.0), 3.0, 0.7, 7.0), 1.0);
+            }""")
+        surface = skia.Surface.MakeRaster(skia.ImageInfo.Make(64, 64, skia.kRGBA_F32_ColorType, skia.kPremul_AlphaType))
+        surface.getCanvas().drawPaint(skia.Paint(Shader=effect.makeShader(skia.Data.MakeEmpty()), BlendMode=skia.BlendMode.kSrc))
+        found = np.zeros((64, 64, 4), "f4")
+        self.assertTrue(surface.readPixels(skia.Pixmap(surface.imageInfo(), found, 64 * 16)))
+        x, wave = (np.arange(64) - 32)[None, :] * 0.125 + np.zeros((64, 64)), (3 * math.cos(0.7), 3 * math.sin(0.7))
+        plain, tiled = noise(x, x.T, wave, 7).imag, noise(x, x.T, wave, 7, (4, 4))[0].imag
+        error = abs(found[..., :3] - np.stack([plain[0], plain[1], tiled], -1) / 10) * (10, 0.5, 10)
+        print(f"skia {skia.__version__}: largest difference {error.max():.3g} at {np.unravel_index(np.argmax(error), error.shape)}")
+        self.assertGreater(abs(found[..., 0]).max(), 0.1)
+        self.assertFalse(error.max() > 1e-5 or np.isnan(error).any())
+
+
 class Exactness(unittest.TestCase):
     """With inverses off by an ulp, fused or not."""
 
