@@ -217,6 +217,15 @@ class Exactness(unittest.TestCase):
                     self.assertTrue(((total > 1) == exact).all() and (total != 1).all())
 
 
+    def test_indices_wrap_exactly_where_division_does_not_round_well(self):
+        index = np.arange(-900_000, 900_001)
+        for period, off in itertools.product((3, 5, 6, 7, 1021, 65536, 299_993, 750_000), (-3, 0, 3)):
+            quotient = (index / period).astype("f4") * np.float32(1 + off * 2.0**-23)
+            found = index - period * np.floor(quotient).astype(int)
+            found = found + np.where(found < 0, period, np.where(found < period, 0, -period))
+            np.testing.assert_array_equal(found, index % period)
+
+
 class Law(unittest.TestCase):
     def test_law_at_fixed_places_over_seeds(self):
         seeds = np.arange(-200_000, 200_000)
