@@ -359,7 +359,7 @@ GaborImplColumns gabor_impl_columns(GaborImplFilteredAxis b) {
     return columns;
 }
 
-// The line before line 0, given the phase of the noise's wave there.
+// Line -1, a row or column of nodes, given the phase of the noise's wave there.
 GaborImplFilteredLine gabor_impl_line_before(GaborImplFilteredAxis b, float2 phase) {
     GaborImplFilteredLine line_;
     line_.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));

@@ -316,7 +316,7 @@ fn gabor_impl_columns(b: GaborImplFilteredAxis) -> GaborImplColumns {
     return columns;
 }
 
-// The line before line 0, given the phase of the noise's wave there.
+// Line -1, a row or column of nodes, given the phase of the noise's wave there.
 fn gabor_impl_line_before(b: GaborImplFilteredAxis, phase: vec2f) -> GaborImplFilteredLine {
     var line: GaborImplFilteredLine;
     line.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));

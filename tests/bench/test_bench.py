@@ -2,6 +2,7 @@
 
 import datetime
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -48,6 +49,10 @@ class Bench(ProgramTest):
         text = page.read_text()
         self.assertRegex(text, r"\Abefore\n<!-- tools/performance -->\n(?s:.*)<!-- end -->\nafter\n\Z")
         self.assertNotIn("old\n", text)
+        render = subprocess.Popen([pathlib.Path(PROGRAM).parent / "gabor", "render", "-o", self.folder / "one.exr", "--size=128x128"],
+                                  stdout=subprocess.DEVNULL, env=environment())
+        memory = os.wait4(render.pid, 0)[2].ru_maxrss / 1024
+        self.assertAlmostEqual(float(re.search(r"128 x 128 pixels in [\d.]+ s and (\d+) MiB", text)[1]), memory, delta=0.25 * memory)
         for words in (report["device"], report["driver"], datetime.date.today().isoformat(), "128 x 128"):
             self.assertIn(words, text)
         times = {row["name"]: f"{row['ns_per_pixel'] * 2.0736:.1f}" for row in report["base"]}

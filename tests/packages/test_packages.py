@@ -755,7 +755,7 @@ class Release(Folder):
         super().setUp()
         repository(self.folder, filter(re.compile(
             "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|README.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-            "host/lab/passes/bench/|host/render/struct_rows|host/render/presets/)").match, tracked(ROOT)))
+            "host/lab/passes/bench/|host/render/request/struct_rows|host/render/request/presets/)").match, tracked(ROOT)))
 
     def release(self, *arguments):
         return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)

@@ -2,7 +2,7 @@
 
 #include "bench/subjects.hpp"
 #include "error.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 #include "seconds.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/quantile.hpp"

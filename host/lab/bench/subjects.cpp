@@ -1,8 +1,8 @@
 #include "bench/subjects.hpp"
 
 #include "recipe_modules.hpp"
-#include "render/plan.hpp"
-#include "render/plan_parts.hpp"
+#include "render/plan/plan.hpp"
+#include "render/plan/plan_parts.hpp"
 
 #include "passes/bench/erosion.h"
 #include "passes/bench/erosion_lattice_2.h"

@@ -4,7 +4,7 @@
 #include "cli/terminal.hpp"
 #include "image/output_file.hpp"
 #include "lab/cli/commands.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
