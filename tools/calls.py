@@ -7,7 +7,7 @@ import re
 import copies
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DROP_INS = {path: path.read_text() for path in sorted((ROOT / "shaders").glob("gabor_*.glsl")) if path.stem != "gabor_sparse"}
+DROP_INS = {path: path.read_text() for path in sorted((ROOT / "shaders").glob("gabor_*.glsl")) if path.stem not in ("gabor_sparse", "gabor_float")}
 # What a call may use, and its number of components: the shaders read all from a buffer, so that no compiler folds a call.
 ARGUMENTS = {"p": 2, "dx": 2, "dy": 2, "wave": 2, "period": 2, "q": 3, "dx_3d": 3, "dy_3d": 3, "wave_3d": 3, "normal": 3,
              "direction": 3, "frequency": 1, "orientation": 1, "spread": 1, "time": 1, "seed": 1}

@@ -117,8 +117,14 @@ def amplitude_fits():
               "rms difference is 5 % larger, for a Cramer-von Mises index that is 40 % smaller", best * unit,
               lambda p: sqrt(((quantiles(p / unit) - normal) ** 2).mean()), 0.2, 0.06)
     whole = 2.0**93 * deviation(law.drop_in() / unit)
+    # gabor_float.glsl has the drop-in's numbers for u in [-1/2, 1/2].
+    law_float = law.drop_in() * [1.0, 2.0**-32, 2.0**-64]
+    scale = 8 / (1.125 * whole / 2.0**93)
     return [law, Fit("gabor_noise.glsl", "GABOR_IMPL_DEVIATION", "standard deviation of the drop-in's amplitudes",
-                     np.array([whole]), lambda d: abs(d[0] / whole - 1))]
+                     np.array([whole]), lambda d: abs(d[0] / whole - 1)),
+            Fit("gabor_float.glsl", "gabor_impl_amplitude", "those of gabor_noise.glsl", law_float, lambda p: abs(p / law_float - 1).max()),
+            Fit("gabor_float.glsl", "gabor_impl_field", "1 / (9/8 times the standard deviation of the amplitudes)", np.array([scale]),
+                lambda s: abs(s[0] / scale - 1))]
 
 
 def filtered_window_fit():
@@ -155,14 +161,16 @@ def mean_fits():
             fit("gabor_filter_3d.glsl", "gabor_impl_transmitted_isotropic", "coordinate on a sphere", sphere, 2 / 3, pi / 4, 0.012, 0.1)]
 
 
-def below_fit():
+def below_fits():
     x = np.linspace(0.0, 4.0, 2001)[1:]
     target = normal_below(x)
 
     def model(p):
         return 1 / (1 + np.exp2(-x * (p[0] + x * x * (p[1] + p[2] * x * x))))
-    return Fit("gabor_materials.glsl", "gabor_impl_below", "the normal distribution function, minimax",
-               refine(model, [2.3, 0.1, 0.0], target, minimax), lambda p: abs(model(p) - target).max(), 5e-4)
+    best, about = refine(model, [2.3, 0.1, 0.0], target, minimax), "the normal distribution function, minimax"
+    return [Fit("gabor_materials.glsl", "gabor_impl_below", about, best, lambda p: abs(model(p) - target).max(), 5e-4),
+            *(Fit(file, "gabor_uniform", f"{about}, with exp instead of exp2", best * math.log(2),
+                  lambda p: abs(model(p / math.log(2)) - target).max(), 5e-4) for file in ("gabor_noise.glsl", "gabor_float.glsl"))]
 
 
 def leather_fit():
@@ -219,11 +227,12 @@ def polynomial_fits():
     cosine = power_series(noise, turn, lambda t: np.cos(2 * pi * t), 0.25, [0, 2, 4, 6, 8], "cos(2 pi t), with 1 for 0.99999995")
     with_constant, cosine.numbers = cosine.error, cosine.numbers[1:]
     cosine.error = lambda c: with_constant([1.0, *c])
-    return [cosine,
+    both = [cosine,
             power_series(noise, turn, lambda t: np.sin(2 * pi * t), 0.25, [1, 3, 5, 7, 9], "sin(2 pi t)"),
             power_series(noise, windows, lambda x: np.cos(2 / 3 * pi * x) / 2 - 0.5, 0.5, [2, 4, 6], "cos(2/3 pi x) / 2 - 1/2"),
             power_series(noise, windows, lambda x: sqrt(3) / 4 * np.sin(2 / 3 * pi * x), 0.5, [1, 3, 5, 7],
-                         "sqrt(3)/4 sin(2/3 pi x)"),
+                         "sqrt(3)/4 sin(2/3 pi x)")]
+    return [*both, *(dataclasses.replace(fit, file="gabor_float.glsl") for fit in both),
             power_series(noise, windows, lambda z: (np.cos(pi / 2 * z) - 1) / sqrt(8), 0.5, [2, 4, 6], "(cos(pi/2 z) - 1) / sqrt(8)"),
             power_series(noise, windows, lambda z: np.sin(pi / 2 * z) / sqrt(8), 0.5, [1, 3, 5, 7], "sin(pi/2 z) / sqrt(8)"),
             power_series(sparse, "gabor_impl_sine", lambda t: np.sin(2 * pi * t) / t / (0.25 - t * t), 0.5, [0, 2, 4, 6, 8],
@@ -235,7 +244,7 @@ def polynomial_fits():
 
 
 def fits():
-    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), below_fit(), leather_fit(), profile_fit(),
+    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), *below_fits(), leather_fit(), profile_fit(),
             sea_fit()]
 
 

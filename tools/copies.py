@@ -9,7 +9,8 @@ import re
 import glsl
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
+# gabor_float.glsl has the names of gabor_noise.glsl, and languages with integers do not need it.
+DROP_INS = sorted(path for path in (ROOT / "shaders").glob("gabor_*.glsl") if path.stem != "gabor_float")
 # The page that contains shaders: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
 IN_PAGE = re.compile(r'(<script type="text/plain" id="([\w.]+)">\n)(?:.*\n)*?(</script>\n)')
