@@ -401,6 +401,8 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, vec2 dy, GaborFractal fractal,
                                      uint seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise(0.0, vec2(0.0), 0.0, vec3(0.0));
     GaborImplOctave octave = GaborImplOctave(place.cell, place.local, place.period, vec2(place.cells_per_radius.x, 0.0),
                                              vec2(0.0, place.cells_per_radius.y));
@@ -652,6 +654,8 @@ vec4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, uint salt, vec3 varian
 
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 dy, GaborFractal fractal,
                                           uint seed) {
+    place.cell = ivec3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d(0.0, vec3(0.0), 0.0, vec3(0.0), vec3(0.0));
     GaborImplOctave3d octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                                  vec3(place.cells_per_radius.x, 0.0, 0.0),

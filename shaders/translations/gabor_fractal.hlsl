@@ -441,6 +441,8 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx, float2 dy, GaborFractal fractal,
                                      uint seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise_of(0.0, (float2)(0.0), 0.0, (float3)(0.0));
     GaborImplOctave octave = GaborImplOctave_of(place.cell, place.local, place.period, float2(place.cells_per_radius.x, 0.0),
                                              float2(0.0, place.cells_per_radius.y));
@@ -698,6 +700,8 @@ float4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, uint salt, float3 va
 
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, float3 dx, float3 dy, GaborFractal fractal,
                                           uint seed) {
+    place.cell = int3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), (float3)(0.0));
     GaborImplOctave3d octave = GaborImplOctave3d_of(place.cell, place.local, place.period,
                                                  float3(place.cells_per_radius.x, 0.0, 0.0),

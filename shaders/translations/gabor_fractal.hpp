@@ -410,6 +410,8 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
 
 GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, GaborFractal fractal,
                                      std::uint32_t seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
     GaborImplOctave octave = GaborImplOctave{place.cell, place.local, place.period, gabor_vec2(place.cells_per_radius.x, 0.0f),
                                              gabor_vec2(0.0f, place.cells_per_radius.y)};
@@ -661,6 +663,8 @@ GABOR_INLINE gabor_vec4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, std
 
 GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, GaborFractal fractal,
                                           std::uint32_t seed) {
+    place.cell = gabor_ivec3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), gabor_vec3(0.0f)};
     GaborImplOctave3d octave = GaborImplOctave3d{place.cell, place.local, place.period,
                                                  gabor_vec3(place.cells_per_radius.x, 0.0f, 0.0f),

@@ -400,7 +400,10 @@ fn gabor_impl_add_octave(sum: ptr<function, GaborFractalNoise>, octave: GaborImp
     (*sum).lost += amplitude * amplitude * covariance;
 }
 
-fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+fn gabor_impl_fractal(place_in: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+    var place = place_in;
+    // Far from the origin, what remains of a period is precise.
+    place.cell = vec2i(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     var sum = GaborFractalNoise(0.0, vec2f(0.0), 0.0, vec3f(0.0));
     var octave = GaborImplOctave(place.cell, place.local, place.period, vec2f(place.cells_per_radius.x, 0.0),
                                  vec2f(0.0, place.cells_per_radius.y));
@@ -657,7 +660,11 @@ fn gabor_impl_octave_noise_3d(octave: GaborImplOctave3d, salt: u32, variance: ve
     return noise;
 }
 
-fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise3d {
+fn gabor_impl_fractal_3d(place_in: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, fractal: GaborFractal,
+                         seed: u32) -> GaborFractalNoise3d {
+    var place = place_in;
+    place.cell = vec3i(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     var sum = GaborFractalNoise3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), vec3f(0.0));
     var octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                    vec3f(place.cells_per_radius.x, 0.0, 0.0),

@@ -188,11 +188,21 @@ inline void gabor_impl_fractal_points(const Place* place, std::size_t count, Gab
     }
 }
 
+// The noise of one point, compiled once.
+inline GaborFractalNoise gabor_impl_fractal_point(const GaborPlace& place, GaborFractal fractal,
+                                                  std::uint32_t seed) {
+    return gabor_fractal_noise(place, fractal, seed);
+}
+inline GaborFractalNoise3d gabor_impl_fractal_point(const GaborPlace3d& place, GaborFractal fractal,
+                                                    std::uint32_t seed) {
+    return gabor_fractal_noise_3d(place, fractal, seed);
+}
+
 inline void gabor_fractal_points(const GaborPlace* place, std::size_t count, GaborFractal fractal,
                                  std::uint32_t seed, float* noise) {
     if (count > 0 && (place[0].period.x != 0 || place[0].period.y != 0))
         for (std::size_t i = 0; i < count; ++i)
-            noise[i] = gabor_fractal_noise(place[i], fractal, seed).noise;
+            noise[i] = gabor_impl_fractal_point(place[i], fractal, seed).noise;
     else
         gabor_impl_fractal_points<2, false>(place, count, fractal, gabor_impl_octave_step(fractal), seed,
                                             &noise);
@@ -203,7 +213,7 @@ inline void gabor_fractal_points_gradient(const GaborPlace* place, std::size_t c
     float* const out[] = {noise, along_x, along_y};
     if (count > 0 && (place[0].period.x != 0 || place[0].period.y != 0))
         for (std::size_t i = 0; i < count; ++i) {
-            const GaborFractalNoise here = gabor_fractal_noise(place[i], fractal, seed);
+            const GaborFractalNoise here = gabor_impl_fractal_point(place[i], fractal, seed);
             noise[i] = here.noise;
             along_x[i] = here.gradient.x;
             along_y[i] = here.gradient.y;
@@ -216,7 +226,7 @@ inline void gabor_fractal_points_3d(const GaborPlace3d* place, std::size_t count
                                     std::uint32_t seed, float* noise) {
     if (count > 0 && (place[0].period.x != 0 || place[0].period.y != 0 || place[0].period.z != 0))
         for (std::size_t i = 0; i < count; ++i)
-            noise[i] = gabor_fractal_noise_3d(place[i], fractal, seed).noise;
+            noise[i] = gabor_impl_fractal_point(place[i], fractal, seed).noise;
     else
         gabor_impl_fractal_points<3, false>(place, count, fractal, gabor_impl_octave_step_3d(fractal), seed,
                                             &noise);

@@ -307,35 +307,40 @@ void places_of(const Block& block, const gabor_vec2& period, float evolution, do
     }
 }
 
-void fill_fractal(const Block& block) {
+// The same, if all inputs but the position are constant; else returns false.
+bool places_of(const Block& block, GaborPlace* places) {
     const std::vector<Input>& in = block.in;
-    if (!constant(block, 2, in.size())) {
-        for (std::size_t i = 0; i < block.count; ++i)
-            block.put(0, i,
-                      gabor_fractal_noise(place_of(block, i), fractal_of(block, i), block.seed(5, i)).noise);
-        return;
-    }
+    const bool same = constant(block, 2, in.size());
+    if (same)
+        places_of(block, {in[2][0], in[3][0]}, evolution_of(in[4], 0), 1, places);
+    return same;
+}
+
+GaborFractalNoise fractal_at(const Block& block, std::size_t i, std::uint32_t seed) {
+    return gabor_impl_fractal_point(place_of(block, i), fractal_of(block, i), seed);
+}
+
+void fill_fractal(const Block& block) {
     GaborPlace places[Block::size];
-    places_of(block, {in[2][0], in[3][0]}, evolution_of(in[4], 0), 1, places);
-    gabor_fractal_points(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out);
+    if (places_of(block, places))
+        gabor_fractal_points(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out);
+    else
+        for (std::size_t i = 0; i < block.count; ++i)
+            block.put(0, i, fractal_at(block, i, block.seed(5, i)).noise);
 }
 
 void fill_fractal_gradient(const Block& block) {
-    const std::vector<Input>& in = block.in;
-    if (!constant(block, 2, in.size())) {
+    GaborPlace places[Block::size];
+    if (places_of(block, places))
+        gabor_fractal_points_gradient(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out,
+                                      block.out + Block::size, block.out + 2 * Block::size);
+    else
         for (std::size_t i = 0; i < block.count; ++i) {
-            const GaborFractalNoise here =
-                gabor_fractal_noise(place_of(block, i), fractal_of(block, i), block.seed(5, i));
+            const GaborFractalNoise here = fractal_at(block, i, block.seed(5, i));
             block.put(0, i, here.noise);
             block.put(1, i, here.gradient.x);
             block.put(2, i, here.gradient.y);
         }
-        return;
-    }
-    GaborPlace places[Block::size];
-    places_of(block, {in[2][0], in[3][0]}, evolution_of(in[4], 0), 1, places);
-    gabor_fractal_points_gradient(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out,
-                                  block.out + Block::size, block.out + 2 * Block::size);
 }
 
 void fill_fractal_filtered(const Block& block) {
@@ -357,26 +362,23 @@ void fill_perlin(const Block& block) {
         gabor_fractal_points(places, block.count, fractal, block.seed(2, 0), block.out);
     else
         for (std::size_t i = 0; i < block.count; ++i)
-            block.put(0, i, gabor_fractal_noise(places[i], fractal, block.seed(2, i)).noise);
+            block.put(0, i, gabor_impl_fractal_point(places[i], fractal, block.seed(2, i)).noise);
 }
 
 // How far a warp moves each point.
 void fill_warp(const Block& block) {
-    const std::vector<Input>& in = block.in;
-    const bool same = constant(block, 2, in.size());
     GaborPlace places[Block::size];
-    if (same)
-        places_of(block, {in[2][0], in[3][0]}, evolution_of(in[4], 0), 1, places);
+    const bool same = places_of(block, places);
     for (int axis = 0; axis < 2; ++axis) {
         float* const out = block.out + std::size_t(axis) * Block::size;
         if (same)
             gabor_fractal_points(places, block.count, fractal_of(block, 0),
                                  gabor_derived_seed(block.seed(5, 0), axis), out);
+        else
+            for (std::size_t i = 0; i < block.count; ++i)
+                out[i] = fractal_at(block, i, gabor_derived_seed(block.seed(5, i), axis)).noise;
         for (std::size_t i = 0; i < block.count; ++i)
-            out[i] = in[10][i] * (same ? out[i]
-                                       : gabor_fractal_noise(place_of(block, i), fractal_of(block, i),
-                                                             gabor_derived_seed(block.seed(5, i), axis))
-                                             .noise);
+            out[i] *= block.in[10][i];
     }
 }
 
@@ -389,7 +391,7 @@ void fill_fractal_3d(const Block& block) {
     else
         for (std::size_t i = 0; i < block.count; ++i)
             block.put(0, i,
-                      gabor_fractal_noise_3d(places[i], fractal_of(block, i, 8), block.seed(7, i)).noise);
+                      gabor_impl_fractal_point(places[i], fractal_of(block, i, 8), block.seed(7, i)).noise);
 }
 
 void fill_uniform(const Block& block) {
