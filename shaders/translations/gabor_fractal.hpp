@@ -90,13 +90,14 @@ struct GaborFractalNoise3d {
 // float gabor_fbm_3d(vec3 p, float octaves, float gain, uint seed)
 // float gabor_billow(vec2 p, float octaves, float gain, uint seed)
 // float gabor_ridged(vec2 p, float octaves, float gain, uint seed)
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // GaborFractalNoise gabor_fractal_noise(GaborPlace place, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d(GaborPlace3d place, GaborFractal fractal, uint seed)
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // GaborFractalNoise gabor_fractal_noise_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, GaborFractal fractal,
@@ -139,8 +140,7 @@ struct GaborWarp3d {
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of

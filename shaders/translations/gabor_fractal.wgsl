@@ -76,13 +76,14 @@ struct GaborFractalNoise3d {
 // fn gabor_fbm_3d(p: vec3f, octaves: f32, gain: f32, seed: u32) -> f32
 // fn gabor_billow(p: vec2f, octaves: f32, gain: f32, seed: u32) -> f32
 // fn gabor_ridged(p: vec2f, octaves: f32, gain: f32, seed: u32) -> f32
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // fn gabor_fractal_noise(place: GaborPlace, fractal: GaborFractal, seed: u32) -> GaborFractalNoise
 // fn gabor_fractal_noise_3d(place: GaborPlace3d, fractal: GaborFractal, seed: u32) -> GaborFractalNoise3d
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // fn gabor_fractal_noise_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise
 // fn gabor_fractal_noise_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, GaborFractal fractal, -> GaborFractalNoise3d
@@ -125,8 +126,7 @@ struct GaborWarp3d {
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of
