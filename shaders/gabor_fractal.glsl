@@ -362,6 +362,21 @@ void gabor_impl_next_octave(inout GaborImplOctave octave, GaborPlace place, vec2
     }
 }
 
+// The noise of an octave, and its gradient per node spacing.
+vec3 gabor_impl_octave_noise(GaborImplOctave octave, uint salt, vec2 variance, int basis, bool filtered,
+                             float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    vec3 noise;
+    if (basis == GABOR_PERLIN) noise = 0.70710678 * gabor_impl_perlin_sum(x, y, evolution); // 1/sqrt(2)
+    else noise = gabor_impl_smooth_sum(x, y, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= vec3(1.0, vec2(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
+    return noise;
+}
+
 // Adds an octave (value, d/dx, d/dy per node spacing) to the sum, of which `kept` of the variance is left, with an
 // amplitude. `lost` is the variance of its lost slopes along the lattice's axes.
 void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, int shape, float amplitude, vec3 noise,
@@ -386,6 +401,8 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, vec2 dy, GaborFractal fractal,
                                      uint seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise(0.0, vec2(0.0), 0.0, vec3(0.0));
     GaborImplOctave octave = GaborImplOctave(place.cell, place.local, place.period, vec2(place.cells_per_radius.x, 0.0),
                                              vec2(0.0, place.cells_per_radius.y));
@@ -397,7 +414,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        uint salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS;
+        uint salt = gabor_impl_octave_salt(seed, i);
         vec2 variance = vec2(0.0), lost = vec2(0.0);
         float oblique = 1.0, kept = 1.0;
         if (filtered) {
@@ -423,14 +440,8 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
         }
         vec3 noise = vec3(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.70710678 * gabor_impl_perlin_sum(x, y, place.evolution); // 1/sqrt(2)
-            else noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution);
+            noise = gabor_impl_octave_noise(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin) noise *= vec3(1.0, vec2(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
@@ -625,8 +636,26 @@ vec4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine y, GaborImplLine z,
     return sum;
 }
 
+vec4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, uint salt, vec3 variance, int basis, bool filtered,
+                                float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, salt ^ GABOR_IMPL_SLICES,
+                                      variance.z, basis, filtered);
+    vec4 noise;
+    if (basis == GABOR_PERLIN) noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, evolution); // 1/sqrt(3)
+    else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= vec4(1.0, vec3(1.0 / GABOR_CELLS_PER_RADIUS)) * (inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
+    return noise;
+}
+
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 dy, GaborFractal fractal,
                                           uint seed) {
+    place.cell = ivec3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d(0.0, vec3(0.0), 0.0, vec3(0.0), vec3(0.0));
     GaborImplOctave3d octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                                  vec3(place.cells_per_radius.x, 0.0, 0.0),
@@ -640,7 +669,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        uint salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS, slices = salt ^ GABOR_IMPL_SLICES;
+        uint salt = gabor_impl_octave_salt(seed, i);
         vec3 variance = vec3(0.0), lost = vec3(0.0);
         float oblique = 1.0, kept = 1.0;
         if (filtered) {
@@ -674,18 +703,8 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
         }
         vec4 noise = vec4(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); // 1/sqrt(3)
-            else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution);
+            noise = gabor_impl_octave_noise_3d(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin)
-                noise *= vec4(1.0, vec3(1.0 / GABOR_CELLS_PER_RADIUS))
-                       * (inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);

@@ -402,6 +402,21 @@ void gabor_impl_next_octave(inout GaborImplOctave octave, GaborPlace place, floa
     }
 }
 
+// The noise of an octave, and its gradient per node spacing.
+float3 gabor_impl_octave_noise(GaborImplOctave octave, uint salt, float2 variance, int basis, bool filtered,
+                             float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    float3 noise;
+    if (basis == GABOR_PERLIN) noise = 0.70710678 * gabor_impl_perlin_sum(x, y, evolution); // 1/sqrt(2)
+    else noise = gabor_impl_smooth_sum(x, y, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= float3(1.0, (float2)(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
+    return noise;
+}
+
 // Adds an octave (value, d/dx, d/dy per node spacing) to the sum, of which `kept` of the variance is left, with an
 // amplitude. `lost` is the variance of its lost slopes along the lattice's axes.
 void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, int shape, float amplitude, float3 noise,
@@ -426,6 +441,8 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx, float2 dy, GaborFractal fractal,
                                      uint seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise_of(0.0, (float2)(0.0), 0.0, (float3)(0.0));
     GaborImplOctave octave = GaborImplOctave_of(place.cell, place.local, place.period, float2(place.cells_per_radius.x, 0.0),
                                              float2(0.0, place.cells_per_radius.y));
@@ -437,7 +454,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        uint salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS;
+        uint salt = gabor_impl_octave_salt(seed, i);
         float2 variance = (float2)(0.0), lost = (float2)(0.0);
         float oblique = 1.0, kept = 1.0;
         if (filtered) {
@@ -463,14 +480,8 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
         }
         float3 noise = (float3)(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.70710678 * gabor_impl_perlin_sum(x, y, place.evolution); // 1/sqrt(2)
-            else noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution);
+            noise = gabor_impl_octave_noise(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin) noise *= float3(1.0, (float2)(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
@@ -671,8 +682,26 @@ float4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine y, GaborImplLine 
     return sum;
 }
 
+float4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, uint salt, float3 variance, int basis, bool filtered,
+                                float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, salt ^ GABOR_IMPL_SLICES,
+                                      variance.z, basis, filtered);
+    float4 noise;
+    if (basis == GABOR_PERLIN) noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, evolution); // 1/sqrt(3)
+    else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= float4(1.0, (float3)(1.0 / GABOR_CELLS_PER_RADIUS)) * (rsqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
+    return noise;
+}
+
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, float3 dx, float3 dy, GaborFractal fractal,
                                           uint seed) {
+    place.cell = int3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), (float3)(0.0));
     GaborImplOctave3d octave = GaborImplOctave3d_of(place.cell, place.local, place.period,
                                                  float3(place.cells_per_radius.x, 0.0, 0.0),
@@ -686,7 +715,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        uint salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS, slices = salt ^ GABOR_IMPL_SLICES;
+        uint salt = gabor_impl_octave_salt(seed, i);
         float3 variance = (float3)(0.0), lost = (float3)(0.0);
         float oblique = 1.0, kept = 1.0;
         if (filtered) {
@@ -720,18 +749,8 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
         }
         float4 noise = (float4)(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); // 1/sqrt(3)
-            else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution);
+            noise = gabor_impl_octave_noise_3d(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin)
-                noise *= float4(1.0, (float3)(1.0 / GABOR_CELLS_PER_RADIUS))
-                       * (rsqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);

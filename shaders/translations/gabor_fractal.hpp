@@ -371,6 +371,21 @@ GABOR_INLINE void gabor_impl_next_octave(GaborImplOctave& octave, GaborPlace pla
     }
 }
 
+// The noise of an octave, and its gradient per node spacing.
+GABOR_INLINE gabor_vec3 gabor_impl_octave_noise(GaborImplOctave octave, std::uint32_t salt, gabor_vec2 variance, int basis, bool filtered,
+                             float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    gabor_vec3 noise;
+    if (basis == GABOR_PERLIN) noise = 0.70710678f * gabor_impl_perlin_sum(x, y, evolution); // 1/sqrt(2)
+    else noise = gabor_impl_smooth_sum(x, y, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= gabor_vec3(1.0f, gabor_vec2(1.0f / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
+    return noise;
+}
+
 // Adds an octave (value, d/dx, d/dy per node spacing) to the sum, of which `kept` of the variance is left, with an
 // amplitude. `lost` is the variance of its lost slopes along the lattice's axes.
 GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave octave, int shape, float amplitude, gabor_vec3 noise,
@@ -395,6 +410,8 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
 
 GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, GaborFractal fractal,
                                      std::uint32_t seed) {
+    // Far from the origin, what remains of a period is precise.
+    place.cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
     GaborImplOctave octave = GaborImplOctave{place.cell, place.local, place.period, gabor_vec2(place.cells_per_radius.x, 0.0f),
                                              gabor_vec2(0.0f, place.cells_per_radius.y)};
@@ -406,7 +423,7 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
-        std::uint32_t salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS;
+        std::uint32_t salt = gabor_impl_octave_salt(seed, i);
         gabor_vec2 variance = gabor_vec2(0.0f), lost = gabor_vec2(0.0f);
         float oblique = 1.0f, kept = 1.0f;
         if (filtered) {
@@ -432,14 +449,8 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
         }
         gabor_vec3 noise = gabor_vec3(0.0f);
         if (kept > 0.0f) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.70710678f * gabor_impl_perlin_sum(x, y, place.evolution); // 1/sqrt(2)
-            else noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution);
+            noise = gabor_impl_octave_noise(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin) noise *= gabor_vec3(1.0f, gabor_vec2(1.0f / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
@@ -634,8 +645,26 @@ GABOR_INLINE gabor_vec4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine 
     return sum;
 }
 
+GABOR_INLINE gabor_vec4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, std::uint32_t salt, gabor_vec3 variance, int basis, bool filtered,
+                                float evolution) {
+    GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                                      filtered);
+    GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                                      variance.y, basis, filtered);
+    GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, salt ^ GABOR_IMPL_SLICES,
+                                      variance.z, basis, filtered);
+    gabor_vec4 noise;
+    if (basis == GABOR_PERLIN) noise = 0.57735027f * gabor_impl_perlin_sum_3d(x, y, z, evolution); // 1/sqrt(3)
+    else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, evolution);
+    if (basis != GABOR_PERLIN && !filtered)
+        noise *= gabor_vec4(1.0f, gabor_vec3(1.0f / GABOR_CELLS_PER_RADIUS)) * (gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
+    return noise;
+}
+
 GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, GaborFractal fractal,
                                           std::uint32_t seed) {
+    place.cell = gabor_ivec3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), gabor_vec3(0.0f)};
     GaborImplOctave3d octave = GaborImplOctave3d{place.cell, place.local, place.period,
                                                  gabor_vec3(place.cells_per_radius.x, 0.0f, 0.0f),
@@ -649,7 +678,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
-        std::uint32_t salt = gabor_impl_octave_salt(seed, i), rows = salt ^ GABOR_IMPL_ROWS, slices = salt ^ GABOR_IMPL_SLICES;
+        std::uint32_t salt = gabor_impl_octave_salt(seed, i);
         gabor_vec3 variance = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
         float oblique = 1.0f, kept = 1.0f;
         if (filtered) {
@@ -683,18 +712,8 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
         }
         gabor_vec4 noise = gabor_vec4(0.0f);
         if (kept > 0.0f) {
-            GaborImplLine x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                               fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                               fractal.basis, filtered);
-            GaborImplLine z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                               fractal.basis, filtered);
-            if (perlin) noise = 0.57735027f * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); // 1/sqrt(3)
-            else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution);
+            noise = gabor_impl_octave_noise_3d(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) noise *= oblique;
-            else if (!perlin)
-                noise *= gabor_vec4(1.0f, gabor_vec3(1.0f / GABOR_CELLS_PER_RADIUS))
-                       * (gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);

@@ -360,6 +360,22 @@ fn gabor_impl_next_octave(octave: ptr<function, GaborImplOctave>, place: GaborPl
     }
 }
 
+// The noise of an octave, and its gradient per node spacing.
+fn gabor_impl_octave_noise(octave: GaborImplOctave, salt: u32, variance: vec2f, basis: i32, filtered: bool,
+                           evolution: f32) -> vec3f {
+    let x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                            filtered);
+    let y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                            variance.y, basis, filtered);
+    var noise: vec3f;
+    if (basis == GABOR_PERLIN) { noise = 0.70710678 * gabor_impl_perlin_sum(x, y, evolution); } // 1/sqrt(2)
+    else { noise = gabor_impl_smooth_sum(x, y, filtered, evolution); }
+    if (basis != GABOR_PERLIN && !filtered) {
+        noise *= vec3f(1.0, vec2f(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
+    }
+    return noise;
+}
+
 // Adds an octave (value, d/dx, d/dy per node spacing) to the sum, of which `kept` of the variance is left, with an
 // amplitude. `lost` is the variance of its lost slopes along the lattice's axes.
 fn gabor_impl_add_octave(sum: ptr<function, GaborFractalNoise>, octave: GaborImplOctave, shape: i32, amplitude_in: f32,
@@ -384,7 +400,10 @@ fn gabor_impl_add_octave(sum: ptr<function, GaborFractalNoise>, octave: GaborImp
     (*sum).lost += amplitude * amplitude * covariance;
 }
 
-fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+fn gabor_impl_fractal(place_in: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+    var place = place_in;
+    // Far from the origin, what remains of a period is precise.
+    place.cell = vec2i(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     var sum = GaborFractalNoise(0.0, vec2f(0.0), 0.0, vec3f(0.0));
     var octave = GaborImplOctave(place.cell, place.local, place.period, vec2f(place.cells_per_radius.x, 0.0),
                                  vec2f(0.0, place.cells_per_radius.y));
@@ -396,7 +415,7 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, f
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        let salt = gabor_impl_octave_salt(seed, i); let rows = salt ^ GABOR_IMPL_ROWS;
+        let salt = gabor_impl_octave_salt(seed, i);
         var variance = vec2f(0.0); var lost = vec2f(0.0);
         var oblique = 1.0; var kept = 1.0;
         if (filtered) {
@@ -422,14 +441,8 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, f
         }
         var noise = vec3f(0.0);
         if (kept > 0.0) {
-            let x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                     fractal.basis, filtered);
-            let y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                     fractal.basis, filtered);
-            if (perlin) { noise = 0.70710678 * gabor_impl_perlin_sum(x, y, place.evolution); } // 1/sqrt(2)
-            else { noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution); }
+            noise = gabor_impl_octave_noise(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) { noise *= oblique; }
-            else if (!perlin) { noise *= vec3f(1.0, vec2f(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY; }
         }
         gabor_impl_add_octave(&sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(&octave, place, by, fractal.lacunarity, i + 1);
@@ -630,7 +643,28 @@ fn gabor_impl_perlin_sum_3d(x: GaborImplLine, y: GaborImplLine, z: GaborImplLine
     return sum;
 }
 
-fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise3d {
+fn gabor_impl_octave_noise_3d(octave: GaborImplOctave3d, salt: u32, variance: vec3f, basis: i32, filtered: bool,
+                              evolution: f32) -> vec4f {
+    let x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x, basis,
+                            filtered);
+    let y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, salt ^ GABOR_IMPL_ROWS,
+                            variance.y, basis, filtered);
+    let z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, salt ^ GABOR_IMPL_SLICES,
+                            variance.z, basis, filtered);
+    var noise: vec4f;
+    if (basis == GABOR_PERLIN) { noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, evolution); } // 1/sqrt(3)
+    else { noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, evolution); }
+    if (basis != GABOR_PERLIN && !filtered) {
+        noise *= vec4f(1.0, vec3f(1.0 / GABOR_CELLS_PER_RADIUS)) * (inverseSqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
+    }
+    return noise;
+}
+
+fn gabor_impl_fractal_3d(place_in: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, fractal: GaborFractal,
+                         seed: u32) -> GaborFractalNoise3d {
+    var place = place_in;
+    place.cell = vec3i(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
+                       gabor_impl_wrap(place.cell.z, place.period.z));
     var sum = GaborFractalNoise3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), vec3f(0.0));
     var octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                    vec3f(place.cells_per_radius.x, 0.0, 0.0),
@@ -644,8 +678,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
-        let salt = gabor_impl_octave_salt(seed, i); let rows = salt ^ GABOR_IMPL_ROWS;
-        let slices = salt ^ GABOR_IMPL_SLICES;
+        let salt = gabor_impl_octave_salt(seed, i);
         var variance = vec3f(0.0); var lost = vec3f(0.0);
         var oblique = 1.0; var kept = 1.0;
         if (filtered) {
@@ -679,19 +712,8 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec
         }
         var noise = vec4f(0.0);
         if (kept > 0.0) {
-            let x = gabor_impl_nodes(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                     fractal.basis, filtered);
-            let y = gabor_impl_nodes(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                     fractal.basis, filtered);
-            let z = gabor_impl_nodes(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                     fractal.basis, filtered);
-            if (perlin) { noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); } // 1/sqrt(3)
-            else { noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution); }
+            noise = gabor_impl_octave_noise_3d(octave, salt, variance, fractal.basis, filtered, place.evolution);
             if (filtered) { noise *= oblique; }
-            else if (!perlin) {
-                noise *= vec4f(1.0, vec3f(1.0 / GABOR_CELLS_PER_RADIUS))
-                       * (inverseSqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
-            }
         }
         gabor_impl_add_octave_3d(&sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(&octave, place, by, fractal.lacunarity, i + 1);

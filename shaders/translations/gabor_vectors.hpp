@@ -147,13 +147,14 @@ GABOR_IMPL_OPERATOR(>>)
 GABOR_IMPL_UNARY(-)
 GABOR_IMPL_UNARY(~)
 
-// Returns condition ? a : b without a branch, which would prevent vectorization.
+// Returns condition ? a : b without a branch, which would prevent vectorization. GCC turns this form into one
+// instruction.
 GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
     std::uint32_t x, y;
     std::memcpy(&x, &a, sizeof x);
     std::memcpy(&y, &b, sizeof y);
     const std::uint32_t mask = std::uint32_t(-int(condition));
-    x = (x & mask) | (y & ~mask);
+    x = y ^ ((x ^ y) & mask);
     std::memcpy(&a, &x, sizeof a);
     return a;
 }

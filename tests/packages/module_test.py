@@ -26,6 +26,14 @@ PICTURE = dict(shape=(3, 8), scale=4.0)
 SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell_height=[0.0, 1.0, 3.0],
            loop_seconds=[0, 8, 256], seed=[1, 2, 3])
 SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
+OCTAVES = dict(octaves=[1.0, 2.5, 6.0], gain=[0.3, 0.5, 0.9], lacunarity=[1.5, 2.0, 3.1], turn=[0.0, 0.4, 2.0])
+
+
+def warped(**given):
+    """Returns moved coordinates along a last axis."""
+    return np.stack(gn.warp(**given), -1)
+
+
 # Each function, its fixed arguments, and three values of each argument that may be an array.
 CASES = [
     (gn.noise, POINTS, WAVE | COMMON),
@@ -40,6 +48,17 @@ CASES = [
     (gn.noise_3d, POINTS_3D | dict(direction=(1, 2, 3), period=5), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.noise_3d, POINTS_3D, dict(direction=[(1, 0, 0), (0, 3, 0), (-1, 1, 2)])),
     (gn.stripes, POINTS | dict(wave_x=2.0, wave_y=1.0), COMMON | dict(wave_x=[0.0, 1.0, 4.0], wave_y=[0.0, 1.0, 4.0], sharpness=[0.1, 1.0, 9.0])),
+    (gn.fbm, POINTS, OCTAVES | COMMON),
+    (gn.fbm, POINTS | dict(basis="perlin", shape="ridged"), OCTAVES | COMMON),
+    (gn.fbm, POINTS | dict(period=(6, 9)), dict(octaves=[1.0, 2.5, 6.0]) | COMMON),
+    (gn.fbm_gradient, POINTS, dict(octaves=[1.0, 2.5, 4.0]) | COMMON),
+    (gn.fbm_filtered, POINTS | dict(pixel_size=0.1), OCTAVES | COMMON),
+    (gn.fbm_filtered, POINTS, dict(pixel_size=SIDES)),
+    (gn.fbm_3d, POINTS_3D, OCTAVES | COMMON),
+    (gn.fbm_3d, POINTS_3D | dict(period=5), COMMON),
+    (gn.perlin, POINTS, dict(seed=[1, 2**32 - 1, -5])),
+    (warped, POINTS | dict(strength=0.5), OCTAVES | COMMON),
+    (warped, POINTS, dict(strength=[-0.5, 0.0, 2.0])),
     (gn.image, PICTURE, WAVE | COMMON),
     (gn.image, PICTURE | dict(isotropic=True), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.image, PICTURE | dict(frequency_spread=0.5), WAVE | dict(orientation_spread=[0.0, 0.4, 1.5])),
@@ -70,7 +89,7 @@ def flat(result):
 
 
 def points(function, fixed):
-    return len(fixed["shape"]) if "shape" in fixed else np.ndim(fixed["heights"]) if "heights" in fixed else 1
+    return len(fixed["shape"]) if isinstance(fixed.get("shape"), tuple) else np.ndim(fixed["heights"]) if "heights" in fixed else 1
 
 
 class Arrays(unittest.TestCase):
@@ -151,6 +170,23 @@ class Pictures(unittest.TestCase):
         for function, place in ((gn.noise, (0.3, 0.4)), (gn.noise_isotropic, (0.3, 0.4)), (gn.noise_3d, (0.3, 0.4, 0.5))):
             near = function(*place, seed=3, period=2.0**20)
             self.assertAlmostEqual(float(function(*(each + far for each in place), seed=3, period=2.0**20)), float(near), delta=2e-5)
+
+
+class Fractals(unittest.TestCase):
+    def test_cover_their_share_of_the_area(self):
+        x, y = gn.grid((512, 512), scale=4)
+        for values in (gn.fbm(x, y, seed=3), gn.perlin(x, y, seed=3), gn.fbm_3d(x, y, 0.3, octaves=2)):
+            rank = gn.uniform(values)
+            self.assertEqual(rank.dtype, np.float32)
+            for share in (0.1, 0.3, 0.8):
+                self.assertAlmostEqual((rank < share).mean(), share, delta=0.02)
+        np.testing.assert_allclose(gn.uniform([-9, -1, 0, 2]), [0, 0.1586553, 0.5, 0.9772499], rtol=0, atol=2e-5)
+
+    def test_precise_far_away(self):
+        # 3 * 2^20 kernel radii hold whole periods of 4.
+        far, place = 3 * 2.0**20, (0.3, 0.4)
+        near = gn.fbm(*place, seed=3, period=4)
+        self.assertAlmostEqual(float(gn.fbm(*(each + far for each in place), seed=3, period=4)), float(near), delta=2e-5)
 
 
 class Movies(unittest.TestCase):
@@ -299,6 +335,16 @@ class Calls(unittest.TestCase):
                 (lambda: gn.noise([0, 1], [0, 1, 2]), "x (2,), y (3,)"),
                 (lambda: gn.noise_spread(0, 0, orientation_spread=2), "orientation_spread is 2: expected a number from 0 to 1.570797"),
                 (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel_size is (1, 2, 3): expected one number, or 2 numbers along the last axis"),
+                (lambda: gn.fbm(0, 0, octaves=17), "octaves is 17: expected a number from 1 to 16"),
+                (lambda: gn.fbm(0, 0, gain=-1), "gain is -1: expected a number from 0 to 4"),
+                (lambda: gn.fbm(0, 0, lacunarity=5), "lacunarity is 5: expected a number from 1 to 4"),
+                (lambda: gn.fbm(0, 0, turn="left"), "turn is 'left': expected a number from -1000000 to 1000000"),
+                (lambda: gn.fbm(0, 0, basis="simplex"), "basis is 'simplex': expected one of smooth, perlin"),
+                (lambda: gn.fbm_3d(0, 0, 0, shape=2), "shape is 2: expected one of fbm, billow, ridged"),
+                (lambda: gn.fbm_gradient(0, 0, period=2.5), "period is 2.5: expected a number or one for each axis, 0 for no repetition or 2.66667"),
+                (lambda: gn.fbm_filtered(0, 0, -1), "pixel_size is -1: expected a number, 0 or more"),
+                (lambda: gn.warp(0, 0, strength=np.inf), "strength is inf"),
+                (lambda: gn.uniform(np.nan), "noise is nan: expected a finite number"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=(0, 0, 0)), "direction is (0, 0, 0)"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=1), "direction is 1: expected 3 numbers along the last axis"),
                 (lambda: gn.terrain(0, 0, [1, 2, 3]), "base is [1, 2, 3]: expected 4 values"),
@@ -322,6 +368,7 @@ class Calls(unittest.TestCase):
     def test_defaults(self):
         common = "seed=0, period=None, evolution=None, workers=None, dtype=float32"
         wave = f"x, y, frequency=4.0, orientation=0.0, {common}"
+        octaves = f"octaves=5.0, gain=0.5, lacunarity=2.0, basis=smooth, shape=fbm, turn={np.arctan(0.75)}, {common}"
         ground = common.replace("evolution=None, ", "")
         sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell_height=0.0, swell_period=12.0, swell_direction=1.0471975511965976, loop_seconds=0, " \
               "seed=0, workers=None, dtype=float32"
@@ -338,6 +385,9 @@ class Calls(unittest.TestCase):
                 "noise_filtered": wave.replace("y,", "y, pixel_size,"),
                 "noise_3d": f"x, y, z, frequency=4.0, direction=None, {common}",
                 "stripes": f"x, y, wave_x, wave_y, sharpness=2.0, {common}",
+                "fbm": f"x, y, {octaves}", "fbm_gradient": f"x, y, {octaves}", "fbm_filtered": f"x, y, pixel_size, {octaves}",
+                "fbm_3d": f"x, y, z, {octaves}", "warp": f"x, y, strength, {octaves.replace('float32', 'float64')}",
+                "perlin": "x, y, seed=0, workers=None, dtype=float32", "uniform": "noise, workers=None, dtype=float32",
                 "terrain": f"x, y, base=None, pixel_size=0.0, {ground}",
                 "erode": f"heights, extent, gully_width=None, tileable=False, {ground.replace('period=None, ', '')}",
                 "material": f"name, x, y, pixel_size=0.0, {ground}, parameters",

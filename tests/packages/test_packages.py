@@ -201,6 +201,17 @@ print(gabor_noise.__version__)
         "stripes(x, y, 1.5, -0.7, sharpness=3, **place)": "along.x along.y along.z",
         "noise_3d(x, y, 0.3, frequency=-2.5, direction=(1, 2, -3), **space)": "gabor_field_3d(space,spatial,seed).noise",
         "noise_3d(x, y, 0.3, frequency=-2.5, **space)": "gabor_field_3d_isotropic(space,-2.5f,seed).noise",
+        "fbm(x, y, seed=7)": "gabor_fbm(p,5.0f,0.5f,7u)",
+        "fbm(x, y, shape='billow', **octaves, **place)": "billow.noise",
+        "fbm(x, y, shape='ridged', seed=7)": "gabor_ridged(p,5.0f,0.5f,7u)",
+        "fbm_gradient(x, y, **octaves, **place)": "fractal.noise fractal.gradient.x fractal.gradient.y",
+        "fbm_gradient(x, y, **octaves)": "endless.noise endless.gradient.x endless.gradient.y",
+        "fbm_filtered(x, y, (0.1, 0.3), **octaves, **place)": "pixels.noise pixels.removed",
+        "fbm_3d(x, y, 0.3, **octaves, **space)": "gabor_fractal_noise_3d(space,octaves,seed).noise",
+        "fbm_3d(x, y, 0.3, seed=7)": "gabor_fbm_3d({p.x,p.y,0.3f},5.0f,0.5f,7u)",
+        "perlin(x, y, seed=-9)": "gabor_perlin(p,seed)",
+        "np.stack(warp(x, y, strength=0.5, **octaves, **place), -1)": "moved.x moved.y",
+        "uniform(noise(x, y, **wave, **place))": "gabor_uniform(field.noise)",
         "terrain(x, y, seed=7, octaves=0)": "hills.height hills.slope.x hills.slope.y hills.ridge",
         "terrain(x, y, seed=7)": "mountains.height mountains.slope.x mountains.slope.y mountains.ridge",
         "terrain(x, y, terrain(x, y, seed=7), seed=8, **rough)": "badlands.height badlands.slope.x badlands.slope.y badlands.ridge",
@@ -214,6 +225,7 @@ print(gabor_noise.__version__)
                                                   "lost.x", "lost.y", "lost.z")) for name in MATERIALS}}
     GIVEN = """
 wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period=(6, 9), evolution=0.3), dict(seed=-9, period=(4, 5, 6), evolution=0.3)
+octaves = dict(octaves=3.4, gain=0.6, lacunarity=1.9, turn=0.4, basis="perlin")
 rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
 sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, loop_seconds=256, seed=-9)
@@ -234,6 +246,13 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         const GaborField field = gabor_field(place, wave, seed), filtered = gabor_field_filtered(place, dx, dy, wave, seed);
         const gabor_vec3 along = gabor_stripes_of(gabor_field(place, gabor_vec2(1.5f, -0.7f), seed), 3.0f),
                          spatial = -2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));
+        const GaborFractal octaves{3.4f, 0.6f, 1.9f, 0.4f, GABOR_PERLIN, GABOR_FBM},
+                           billows{3.4f, 0.6f, 1.9f, 0.4f, GABOR_PERLIN, GABOR_BILLOW};
+        const GaborFractalNoise fractal = gabor_fractal_noise(place, octaves, seed), billow = gabor_fractal_noise(place, billows, seed),
+                                endless = gabor_fractal_noise(gabor_place_at(p), octaves, 0u),
+                                pixels = gabor_fractal_noise_filtered(place, dx, dy, octaves, seed);
+        const GaborPlace warped = gabor_warp(place, 0.5f, octaves, seed).place;
+        const gabor_vec2 moved = warped.local / warped.cells_per_radius;
         GaborLobes lobes{};
         lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
         lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
@@ -324,7 +343,7 @@ class Pypi(Package, Python):
         (self.folder / "calls.py").write_text(f"{self.USE.partition('common')[0]}CALLS = {list(self.CALLS)}\n{self.GIVEN}")
         run(python, self.folder / "calls.py", cwd=self.folder)
         headers = "".join(f'#include "gabor_{name}.hpp"\n'
-                          for name in ("noise", "spectrum", "filter", "noise_3d", "materials", "erosion", "ocean"))
+                          for name in ("noise", "spectrum", "filter", "fractal", "noise_3d", "materials", "erosion", "ocean"))
         outputs = [(call, output) for call, outputs in self.CALLS.items() for output in outputs.split()]
         expected = in_cpp(self.folder, headers, [output for _, output in outputs], "-std=c++17", "-O1", "-ffp-contract=off",
                           "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", code=self.CODE, rows=64)

@@ -166,6 +166,8 @@ COSTS = [
      f"`gabor_noise` for small pixels'), said('{P}', 'for small pixels and (N) times')", 0.1),
     (GLSL + "filter_3d.glsl", "a call costs (N) times as much as gabor_noise_3d for pixels up to 0.18 kernel radii .27 nodes., (N) times "
      "from 0.2 .64 nodes., and at most (N) times", "*map(filter_3d, ('up to 0.18', '0.2 or more', 'all'))", 0.01),
+    ("docs/python.md", "draws (N) million values a second, which are (N) million octaves",
+     f"said('{P}', 'Python, `fbm` . (N)') / 5, said('{P}', 'Python, `fbm` . (N)')", 0.05),
     ("shaders/nodes/cpp/README.md", "// (N) to (N) us; after", f"6 * said('{P}', 'takes (N) us for a point'), "
      f"6 * said('{P}', '; (N) us without the latter')", 0.1),
     ("docs/study.md", "(N) times faster than the seminal noise with N = 2, and (N) times with N = 4", "said('docs/study.md', "

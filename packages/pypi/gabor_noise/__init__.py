@@ -1,4 +1,4 @@
-"""Gabor noise with mean 0 and variance 1, materials, eroded mountains and a sea, on numpy arrays; and their shaders' source.
+"""Gabor and fractal noise with mean 0 and variance 1, materials, eroded mountains and a sea, on numpy arrays; and their shaders' source.
 
     import gabor_noise
     picture = gabor_noise.image((512, 512), scale=32, frequency=4.0, orientation=0.7854, seed=7)
@@ -28,12 +28,13 @@ from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
+from ._arguments import MEMBERS, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
 __all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_quadrature", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
-           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "movie", "Movie", "source"]
+           "noise_filtered", "noise_3d", "stripes", "fbm", "fbm_gradient", "fbm_filtered", "fbm_3d", "perlin", "warp", "uniform",
+           "terrain", "erode", "material", "water", "water_height", "movie", "Movie", "source"]
 __version__ = "@VERSION@"
 
 
@@ -223,6 +224,91 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
     return evaluate("stripes", locals())
 
 
+# ---- Fractal noise -------------------------------------------------------------------------------------------------
+
+_PERIOD = 8 / 3  # the shortest, in kernel radii
+_TURN = float(np.arctan(0.75))  # of gabor_fractal
+
+
+def _words(given: Mapping[str, Any]) -> list[NDArray[np.float64]]:
+    return [choice("basis", given["basis"], ("smooth", "perlin")), choice("shape", given["shape"], ("fbm", "billow", "ridged"))]
+
+
+def fbm(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
+        basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
+        seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+        dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return a sum of octaves of noise at (x, y): mean 0, variance 1 at every point.
+
+    octaves: 1 to 16; the last one fades in with the fraction.
+    gain: amplitude of an octave relative to the previous one, 0 to 4.
+    lacunarity: frequency of an octave relative to the previous one, 1 to 4.
+    basis: the noise of an octave: "smooth", mostly of low frequencies, or "perlin", whose octaves are narrower.
+    shape: what each octave n becomes: "fbm", n; "billow", |n|; "ridged", -|n|.
+    turn: angle by which an octave is turned against the previous one; unused with a period.
+    period: kernel radii, at least 8/3; the noise then takes up to ten times as long.
+    evolution: time in an animation that repeats after 1, in turns; 0 or None for none.
+    """
+    return evaluate("fractal", locals(), _words(locals()), _PERIOD)
+
+
+def fbm_gradient(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
+                 basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm",
+                 turn: ArrayLike = _TURN, seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
+                 workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `fbm`."""
+    return evaluate("fractal_gradient", locals(), _words(locals()), _PERIOD)
+
+
+def fbm_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5,
+                 lacunarity: ArrayLike = 2.0, basis: Literal["smooth", "perlin"] = "smooth",
+                 shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN, seed: ArrayLike = 0,
+                 period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+                 dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
+
+    pixel_size: the pixel's sides in kernel radii, one number or a pair along the last axis.
+    The other arguments are those of `fbm`.
+    """
+    return evaluate("fractal_filtered", locals(), _words(locals()), _PERIOD)
+
+
+def fbm_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
+           basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
+           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+           dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return a sum of octaves of noise at (x, y, z): mean 0, variance 1 at every point. Arguments are those of `fbm`; a period may
+    have three numbers."""
+    return evaluate("fractal_3d", locals(), _words(locals()), _PERIOD)
+
+
+def perlin(x: ArrayLike, y: ArrayLike, *, seed: ArrayLike = 0, workers: int | None = None,
+           dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return noise that replaces Perlin and simplex noise: mean 0, variance 1 at every point. x and y are in the cells of Perlin noise,
+    so both have the same size; to match its contrast, multiply by 0.25 to 0.3."""
+    return evaluate("perlin", locals())
+
+
+def warp(x: ArrayLike, y: ArrayLike, *, strength: ArrayLike, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
+         basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
+         seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+         dtype: DTypeLike = np.float64) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return the coordinates (x, y), moved along two noises, at which any noise shows marble, smoke or swirls.
+
+    strength: deviation of the shift along x and y, in kernel radii.
+    The other arguments are those of `fbm`.
+    """
+    shift = evaluate("warp", locals(), _words(locals()), _PERIOD)
+    moved = numbers("x", x) + shift[..., 0], numbers("y", y) + shift[..., 1]
+    return moved[0].astype(dtype, copy=False), moved[1].astype(dtype, copy=False)
+
+
+def uniform(noise: ArrayLike, *, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return the rank of normal noise among all values, uniform in [0, 1], within 2e-5: `uniform(fbm(x, y)) < 0.3` is 30 % of the
+    area."""
+    return evaluate("uniform", locals())
+
+
 # ---- Terrain -------------------------------------------------------------------------------------------------------
 
 def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
@@ -361,7 +447,7 @@ _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "g
 
 def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
     """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose",
-    "erosion", "ocean", "direction" or "sparse".
+    "erosion", "ocean", "direction", "fractal" or "sparse".
 
     Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, "compose" after "materials", and
     "filter_3d" after "filter" and "noise_3d".

@@ -24,6 +24,12 @@ _RANGES: dict[str, tuple[float, float]] = {
     "direction": (-1e15, 1e15),  # a vector in 3D, or an angle
     "frequency_spread": (0, 1),
     "orientation_spread": (0, 1.570797),  # pi/2, rounded up
+    "octaves": (1, 16),
+    "gain": (0, 4),
+    "lacunarity": (1, 4),
+    "turn": (-1e6, 1e6),
+    "strength": (-1e6, 1e6),
+    "noise": (-math.inf, math.inf),
     "seconds": (-2e9, 2e9),
     "wind": (2, 30),
     "fetch": (1e3, 1e6),
@@ -127,6 +133,13 @@ def sides(shape: Sequence[int], *dimensions: int) -> tuple[int, ...]:
         named = {2: "(height, width)", 3: "(depth, height, width)"}
         raise refuse("shape", shape, " or ".join(named[each] for each in dimensions))
     return tuple(count(f"shape[{axis}]", side) for axis, side in enumerate(given))
+
+
+def choice(name: str, value: object, choices: Sequence[str]) -> NDArray[np.float64]:
+    """Return the index of a word."""
+    if isinstance(value, str) and value in choices:
+        return np.asarray(choices.index(value), np.float64)
+    raise refuse(name, value, f"one of {', '.join(choices)}")
 
 
 def vector(name: str, value: ArrayLike, length: int) -> list[NDArray[np.float64]]:

@@ -8,6 +8,8 @@
 
 #include "gabor_noise_3d.hpp"
 
+#include "gabor_fractal_points.hpp"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -254,7 +256,7 @@ void fill_filtered(const Block& block) {
 
 // ---- 3D --------------------------------------------------------------------------------------------------
 
-const char* const place_3d_inputs = "x y z period.x period.y period.z evolution seed frequency";
+const char* const place_3d_inputs = "x y z period.x period.y period.z evolution seed ";
 
 GaborPlace3d place_3d_of(const Block& block, std::size_t i) {
     const std::vector<Input>& in = block.in;
@@ -282,19 +284,143 @@ void fill_3d_isotropic(const Block& block) {
                   gabor_field_3d_isotropic(place_3d_of(block, i), block.in[8][i], block.seed(7, i)).noise);
 }
 
+// ---- Fractal noise ---------------------------------------------------------------------------------------
+
+// Four inputs follow those of a place; the last two are the basis and the shape.
+GaborFractal fractal_of(const Block& block, std::size_t i, std::size_t first = 6) {
+    const std::vector<Input>& in = block.in;
+    return {in[first][i],     in[first + 1][i],          in[first + 2][i],
+            in[first + 3][i], int(in[in.size() - 2][i]), int(in[in.size() - 1][i])};
+}
+
+// The places of a block, if they have the same period and evolution.
+void places_of(const Block& block, const gabor_vec2& period, float evolution, double scale,
+               GaborPlace* places) {
+    const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, period);
+    for (std::size_t i = 0; i < block.count; ++i) {
+        const Split across(scale * block.in[0].exact(i), origin.cells_per_radius.x),
+            down(scale * block.in[1].exact(i), origin.cells_per_radius.y);
+        places[i] = origin;
+        places[i].cell = {across.cell, down.cell};
+        places[i].local = {across.local, down.local};
+        places[i].evolution = evolution;
+    }
+}
+
+// The same, if all inputs but the position are constant; else returns false.
+bool places_of(const Block& block, GaborPlace* places) {
+    const std::vector<Input>& in = block.in;
+    const bool same = constant(block, 2, in.size());
+    if (same)
+        places_of(block, {in[2][0], in[3][0]}, evolution_of(in[4], 0), 1, places);
+    return same;
+}
+
+GaborFractalNoise fractal_at(const Block& block, std::size_t i, std::uint32_t seed) {
+    return gabor_impl_fractal_point(place_of(block, i), fractal_of(block, i), seed);
+}
+
+void fill_fractal(const Block& block) {
+    GaborPlace places[Block::size];
+    if (places_of(block, places))
+        gabor_fractal_points(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out);
+    else
+        for (std::size_t i = 0; i < block.count; ++i)
+            block.put(0, i, fractal_at(block, i, block.seed(5, i)).noise);
+}
+
+void fill_fractal_gradient(const Block& block) {
+    GaborPlace places[Block::size];
+    if (places_of(block, places))
+        gabor_fractal_points_gradient(places, block.count, fractal_of(block, 0), block.seed(5, 0), block.out,
+                                      block.out + Block::size, block.out + 2 * Block::size);
+    else
+        for (std::size_t i = 0; i < block.count; ++i) {
+            const GaborFractalNoise here = fractal_at(block, i, block.seed(5, i));
+            block.put(0, i, here.noise);
+            block.put(1, i, here.gradient.x);
+            block.put(2, i, here.gradient.y);
+        }
+}
+
+void fill_fractal_filtered(const Block& block) {
+    const std::vector<Input>& in = block.in;
+    for (std::size_t i = 0; i < block.count; ++i) {
+        const GaborFractalNoise here = gabor_fractal_noise_filtered(
+            place_of(block, i), {in[10][i], 0.0f}, {0.0f, in[11][i]}, fractal_of(block, i), block.seed(5, i));
+        block.put(0, i, here.noise);
+        block.put(1, i, here.removed);
+    }
+}
+
+void fill_perlin(const Block& block) {
+    GaborFractal fractal = gabor_fractal(1.0f, 0.0f);
+    fractal.basis = GABOR_PERLIN;
+    GaborPlace places[Block::size];
+    places_of(block, {0.0f, 0.0f}, 0.0f, 1.186, places); // as in gabor_perlin
+    if (block.in[2].constant)
+        gabor_fractal_points(places, block.count, fractal, block.seed(2, 0), block.out);
+    else
+        for (std::size_t i = 0; i < block.count; ++i)
+            block.put(0, i, gabor_impl_fractal_point(places[i], fractal, block.seed(2, i)).noise);
+}
+
+// How far a warp moves each point.
+void fill_warp(const Block& block) {
+    GaborPlace places[Block::size];
+    const bool same = places_of(block, places);
+    for (int axis = 0; axis < 2; ++axis) {
+        float* const out = block.out + std::size_t(axis) * Block::size;
+        if (same)
+            gabor_fractal_points(places, block.count, fractal_of(block, 0),
+                                 gabor_derived_seed(block.seed(5, 0), axis), out);
+        else
+            for (std::size_t i = 0; i < block.count; ++i)
+                out[i] = fractal_at(block, i, gabor_derived_seed(block.seed(5, i), axis)).noise;
+        for (std::size_t i = 0; i < block.count; ++i)
+            out[i] *= block.in[10][i];
+    }
+}
+
+void fill_fractal_3d(const Block& block) {
+    GaborPlace3d places[Block::size];
+    for (std::size_t i = 0; i < block.count; ++i)
+        places[i] = place_3d_of(block, i);
+    if (constant(block, 3, block.in.size()))
+        gabor_fractal_points_3d(places, block.count, fractal_of(block, 0, 8), block.seed(7, 0), block.out);
+    else
+        for (std::size_t i = 0; i < block.count; ++i)
+            block.put(0, i,
+                      gabor_impl_fractal_point(places[i], fractal_of(block, i, 8), block.seed(7, i)).noise);
+}
+
+void fill_uniform(const Block& block) {
+    for (std::size_t i = 0; i < block.count; ++i)
+        block.put(0, i, gabor_uniform(block.in[0][i]));
+}
+
 } // namespace
 
 std::vector<Kernel> noise_kernels() {
     const std::string place = place_inputs, wave = place + "frequency orientation",
-                      place_3d = place_3d_inputs;
-    return {{"noise", wave, 1, fill_noise<1>, {}},
-            {"quadrature", wave, 2, fill_noise<2>, {}},
-            {"gradient", wave, 3, fill_noise<3>, {}},
-            {"isotropic", place + "frequency", 1, fill_isotropic, {}},
-            {"spread", wave + " frequency_spread orientation_spread", 1, fill_spread, {}},
-            {"lobes", place_inputs, 1, fill_lobes, {}},
-            {"filtered", wave + " pixel_size.x pixel_size.y", 2, fill_filtered, {}},
-            {"stripes", place + "wave_x wave_y sharpness", 3, fill_stripes, {}},
-            {"3d", place_3d + " direction.x direction.y direction.z", 1, fill_3d, {}},
-            {"3d_isotropic", place_3d, 1, fill_3d_isotropic, {}}};
+                      place_3d = place_3d_inputs, wave_3d = place_3d + "frequency",
+                      octaves = "octaves gain lacunarity turn";
+    return {
+        {"noise", wave, 1, fill_noise<1>, {}},
+        {"quadrature", wave, 2, fill_noise<2>, {}},
+        {"gradient", wave, 3, fill_noise<3>, {}},
+        {"isotropic", place + "frequency", 1, fill_isotropic, {}},
+        {"spread", wave + " frequency_spread orientation_spread", 1, fill_spread, {}},
+        {"lobes", place_inputs, 1, fill_lobes, {}},
+        {"filtered", wave + " pixel_size.x pixel_size.y", 2, fill_filtered, {}},
+        {"stripes", place + "wave_x wave_y sharpness", 3, fill_stripes, {}},
+        {"3d", wave_3d + " direction.x direction.y direction.z", 1, fill_3d, {}},
+        {"3d_isotropic", wave_3d, 1, fill_3d_isotropic, {}},
+        {"fractal", place + octaves, 1, fill_fractal, {}},
+        {"fractal_gradient", place + octaves, 3, fill_fractal_gradient, {}},
+        {"fractal_filtered", place + octaves + " pixel_size.x pixel_size.y", 2, fill_fractal_filtered, {}},
+        {"fractal_3d", place_3d + octaves, 1, fill_fractal_3d, {}},
+        {"warp", place + octaves + " strength", 2, fill_warp, {}},
+        {"perlin", "x y seed", 1, fill_perlin, {}},
+        {"uniform", "noise", 1, fill_uniform, {}}};
 }
