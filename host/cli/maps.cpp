@@ -72,7 +72,7 @@ void render_maps(const MapsOptions& options) {
 // Whether a parameter changes maps, which have neither light nor more than one view of a kind.
 bool changes_maps(const render::Parameter& p) {
     const render::Request material{.kind = render::Kind::material}, terrain{.kind = render::Kind::terrain};
-    return p.name != "filter" && (p.scope.holds(material) || p.scope.holds(terrain));
+    return p.name != "filter" && p.name != "fractal" && (p.scope.holds(material) || p.scope.holds(terrain));
 }
 
 } // namespace

@@ -59,8 +59,9 @@ void render_textures(const TextureOptions& options) {
 
 // Whether a parameter changes a filtered picture of a plane.
 bool changes_textures(const render::Parameter& p) {
-    const render::Request noise, material{.kind = render::Kind::material};
-    return p.name != "filter" && (p.scope.holds(noise) || p.scope.holds(material));
+    const render::Request noise, fractal{.kind = render::Kind::fractal},
+        material{.kind = render::Kind::material};
+    return p.name != "filter" && (p.scope.holds(noise) || p.scope.holds(fractal) || p.scope.holds(material));
 }
 
 } // namespace

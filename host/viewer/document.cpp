@@ -55,6 +55,8 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
     render::drop_conflicting(request, name);
     if (static_cast<std::size_t>(document.look) >= looks(request).size())
         document.look = Look::lit;
+    if (!can_show(request, document.output))
+        document.output = Output::value;
     if (name == "view" || name == "material" || name == "fractal" || name == "width" || name == "height")
         document.camera = render::default_camera(document.request);
 }
@@ -71,8 +73,13 @@ void resize(Document& document, double factor) {
     document = resized;
 }
 
+bool can_show(const render::Request& request, Output output) {
+    return request.kind != Kind::fractal || output == Output::value || output == Output::gradient ||
+           output == Output::variance || output == Output::lit;
+}
+
 render::Request with_output(render::Request request, Output output) {
-    if (render::is_surface(request.kind))
+    if (render::is_surface(request.kind) || !can_show(request, output))
         return request; // surfaces always have all channels
     if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;

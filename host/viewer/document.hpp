@@ -69,6 +69,9 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
 /// Multiplies the picture's pixels along both sides, and keeps what it and the window show.
 void resize(Document& document, double factor);
 
+/// Tells whether a request has an output: fractal noise has no phase.
+bool can_show(const render::Request& request, Output output);
+
 /// Adds the channels that an output needs.
 render::Request with_output(render::Request request, Output output);
 

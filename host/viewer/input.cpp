@@ -145,7 +145,7 @@ void held_keys(Session& session) {
         if (pressed(GLFW_KEY_1 + i)) {
             if (material)
                 document.look = static_cast<Look>(i);
-            else
+            else if (can_show(document.request, static_cast<Output>(i)))
                 document.output = static_cast<Output>(i);
         }
     const double step = 40.0 * double{pixels_per_unit()};

@@ -225,6 +225,8 @@ void view_panel(Session& session) {
         choose("show", document.look, looks(document.request), look_tips);
     else
         choose("show", document.output, output_names, output_tips);
+    if (!can_show(document.request, document.output))
+        document.output = Output::value;
     if (shows_normals(document)) {
         ImGui::Checkbox("DirectX normals", &document.directx_normals);
         tooltip("Let green point down, as DirectX does; in OpenGL it points up");

@@ -370,6 +370,8 @@ std::string text_of(const View& view) {
 std::string snippet(const Document& document, Extent extent) {
     View view{document, extent, {}, display_push(document, 1, document.camera.zoom)};
     const bool painted = !std::exchange(view.request.paint, {}).empty();
+    if (!can_show(view.request, view.output))
+        view.output = Output::value;
     if (view.output != Output::value) // a photograph's colours are those of its value
         view.request.colour.reset();
     const Drawing drawing = drawing_of(view);

@@ -1,6 +1,7 @@
 // Compares pictures of one or several lobes, drawn block by block and pixel by pixel, with the sum of the
 // lobes' noises from the double-precision reference.
 
+#include "gabor_fractal.hpp"
 #include "largest.hpp"
 #include "reference/reference.hpp"
 #include "reference/sum.hpp"
@@ -17,6 +18,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -456,4 +458,65 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
         CHECK(error < 0.02);
         removed.check("removed variance");
     }
+}
+
+// The C++ translation, which tests/functions compares with the double-precision reference.
+TEST_CASE("fractal noise is that of the drop-in at the centre of each pixel", "[render]") {
+    const vulkan::Device device;
+    test::Largest values, slopes, removed;
+    int seen = 0;
+    for (const auto& [shape, basis, options] : {std::tuple{"fbm", "smooth", 0},
+                                                {"billow", "smooth", 1},
+                                                {"ridged", "perlin", 2},
+                                                {"fbm", "perlin", 3}}) {
+        render::Request request{.width = 96, .height = 64, .scale = 20, .seed = 7, .gradient = true};
+        const bool tile = options == 1, filter = options >= 2;
+        render::set(request, "fractal", std::string(shape));
+        render::set(request, "fractal.basis", std::string(basis));
+        render::set(request, "fractal.octaves", 3.5 + options);
+        render::set(request, "fractal.gain", 0.6);
+        render::set(request, "fractal.lacunarity", 1.8);
+        render::set(request, "fractal.turn", 25.0);
+        render::set(request, "evolution", 0.2 * options);
+        request.fractal.warp = options == 3 ? 0.3 : 0;
+        request.view.tileable = tile;
+        request.filter = filter;
+        const std::vector<float> pixels = rendered(device, request, {0, 0, 96, 64});
+        const std::size_t channels = render::channels(request).size();
+        REQUIRE(channels == (filter ? 4u : 3u));
+        GaborFractal fractal(
+            static_cast<float>(3.5 + options), 0.6f, 1.8f, static_cast<float>(noise::radians(25.0)),
+            std::string(basis) == "perlin" ? GABOR_PERLIN : GABOR_SMOOTH, request.fractal.shape - 1);
+        for (int y = 0; y < 64; y += 3)
+            for (int x = 0; x < 96; x += 3) {
+                const gabor_vec2 p((static_cast<float>(x) + 0.5f) / 20, (static_cast<float>(y) + 0.5f) / 20);
+                gabor_vec2 dx(filter ? 0.05f : 0.0f, 0), dy(0, filter ? 0.05f : 0.0f);
+                GaborPlace place = tile ? gabor_place_tiled(p, gabor_vec2(4.8f, 3.2f)) : gabor_place_at(p);
+                place.evolution = static_cast<float>(0.2 * options);
+                GaborWarp warp{place, gabor_vec2(1, 0), gabor_vec2(0, 1), gabor_vec3(0, 0, 0)};
+                if (options == 3)
+                    warp = gabor_warp_filtered(place, dx, dy, 0.3f, fractal, gabor_derived_seed(7u, 0));
+                const GaborFractalNoise expected =
+                    filter ? gabor_fractal_noise_filtered(warp.place, dx.x * warp.dx + dx.y * warp.dy,
+                                                          dy.x * warp.dx + dy.y * warp.dy, fractal, 7u)
+                           : gabor_fractal_noise(warp.place, fractal, 7u);
+                const float* pixel = &pixels[static_cast<std::size_t>(y * 96 + x) * channels];
+                const auto here = [&, at = std::array{x, y}] {
+                    return fmt::format("{}, {} of {}", at[0], at[1], options);
+                };
+                values.see(pixel[0], expected.noise, 1e-4, here);
+                // the gradient of |n| jumps where n is 0
+                if (options == 0 || options == 3) {
+                    slopes.see(pixel[1], dot(expected.gradient, warp.dx), 5e-3, here);
+                    slopes.see(pixel[2], dot(expected.gradient, warp.dy), 5e-3, here);
+                }
+                if (filter)
+                    removed.see(pixel[3], expected.removed, 1e-4, here);
+                ++seen;
+            }
+    }
+    CHECK(seen == 4 * 22 * 32);
+    values.check("values");
+    slopes.check("slopes");
+    removed.check("removed");
 }

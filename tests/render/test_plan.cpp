@@ -94,6 +94,8 @@ TEST_CASE("the fastest pass that can draw a request is chosen") {
     CHECK(shader_of({{"view", "sphere"}}) == "solid@surface");
     CHECK(shader_of({{"view", "torus"}, {"solid", "true"}}) == "solid");
     CHECK(shader_of({{"material", "brushed-metal"}}) == "material@brushed_metal");
+    CHECK(shader_of({{"fractal", "fbm"}}) == "fractal");
+    CHECK(shader_of({{"fractal", "ridged"}, {"view", "horizon"}, {"filter", "true"}}) == "fractal");
 }
 
 TEST_CASE("a window uses blocks of one size at all scales, and no blocks at small scales") {
@@ -148,6 +150,7 @@ TEST_CASE("every pass that a plan names exists") {
             requests.push_back(request_of({{"recipe", std::string(recipe.name)}, {"phasor", phasor}}));
     for (const std::string_view material : materials)
         requests.push_back(request_of({{"material", std::string(material)}}));
+    requests.push_back(request_of({{"fractal", "billow"}}));
     for (const char* view : {"slice", "sphere", "torus"})
         requests.push_back(request_of({{"view", view}, {"filter", "true"}}));
     for (const Request& request : requests)
