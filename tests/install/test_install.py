@@ -30,7 +30,7 @@ INSTALLED = {
       for name in ("bake.comp", "bake_colour.comp", "bake_interface.h", "colour.glsl", "colour.h", "constants.h", "interface.h",
                    "noise_channels.glsl", "recipe.glsl")),
     *(f"share/gabor-noise/shaders/{place}_{name}.{dialect}"
-      for name in ("compose", "direction", "erosion", "filter", "filter_3d", "materials", "noise", "noise_3d", "ocean", "sparse", "spectrum")
+      for name in ("compose", "direction", "erosion", "filter", "filter_3d", "fractal", "materials", "noise", "noise_3d", "ocean", "sparse", "spectrum")
       for place, dialect in (("gabor", "glsl"), *(("translations/gabor", dialect)
                                                   for dialect in ("hlsl", "hpp", "wgsl")))),
 }
