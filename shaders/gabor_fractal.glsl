@@ -381,6 +381,10 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, vec2 dy, GaborFractal fractal,
                                      uint seed) {
     GaborFractalNoise sum = GaborFractalNoise(0.0, vec2(0.0), 0.0, vec3(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = vec2(1.0e3, 0.0);
+        dy = vec2(0.0, 1.0e3);
+    }
     GaborImplOctave octave = GaborImplOctave(place.cell, place.local, place.period, vec2(place.cells_per_radius.x, 0.0),
                                              vec2(0.0, place.cells_per_radius.y));
     vec2 by = gabor_impl_octave_step(fractal);
@@ -622,6 +626,10 @@ vec4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine y, GaborImplLine z,
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 dy, GaborFractal fractal,
                                           uint seed) {
     GaborFractalNoise3d sum = GaborFractalNoise3d(0.0, vec3(0.0), 0.0, vec3(0.0), vec3(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = vec3(1.0e3, 0.0, 0.0);
+        dy = vec3(0.0, 1.0e3, 1.0e3);
+    }
     GaborImplOctave3d octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                                  vec3(place.cells_per_radius.x, 0.0, 0.0),
                                                  vec3(0.0, place.cells_per_radius.y, 0.0),

@@ -421,6 +421,10 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx, float2 dy, GaborFractal fractal,
                                      uint seed) {
     GaborFractalNoise sum = GaborFractalNoise_of(0.0, (float2)(0.0), 0.0, (float3)(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = float2(1.0e3, 0.0);
+        dy = float2(0.0, 1.0e3);
+    }
     GaborImplOctave octave = GaborImplOctave_of(place.cell, place.local, place.period, float2(place.cells_per_radius.x, 0.0),
                                              float2(0.0, place.cells_per_radius.y));
     float2 by = gabor_impl_octave_step(fractal);
@@ -668,6 +672,10 @@ float4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine y, GaborImplLine 
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, float3 dx, float3 dy, GaborFractal fractal,
                                           uint seed) {
     GaborFractalNoise3d sum = GaborFractalNoise3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), (float3)(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = float3(1.0e3, 0.0, 0.0);
+        dy = float3(0.0, 1.0e3, 1.0e3);
+    }
     GaborImplOctave3d octave = GaborImplOctave3d_of(place.cell, place.local, place.period,
                                                  float3(place.cells_per_radius.x, 0.0, 0.0),
                                                  float3(0.0, place.cells_per_radius.y, 0.0),

@@ -390,6 +390,10 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
 GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, GaborFractal fractal,
                                      std::uint32_t seed) {
     GaborFractalNoise sum = GaborFractalNoise{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
+        dx = gabor_vec2(1.0e3f, 0.0f);
+        dy = gabor_vec2(0.0f, 1.0e3f);
+    }
     GaborImplOctave octave = GaborImplOctave{place.cell, place.local, place.period, gabor_vec2(place.cells_per_radius.x, 0.0f),
                                              gabor_vec2(0.0f, place.cells_per_radius.y)};
     gabor_vec2 by = gabor_impl_octave_step(fractal);
@@ -631,6 +635,10 @@ GABOR_INLINE gabor_vec4 gabor_impl_perlin_sum_3d(GaborImplLine x, GaborImplLine 
 GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, GaborFractal fractal,
                                           std::uint32_t seed) {
     GaborFractalNoise3d sum = GaborFractalNoise3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), gabor_vec3(0.0f)};
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
+        dx = gabor_vec3(1.0e3f, 0.0f, 0.0f);
+        dy = gabor_vec3(0.0f, 1.0e3f, 1.0e3f);
+    }
     GaborImplOctave3d octave = GaborImplOctave3d{place.cell, place.local, place.period,
                                                  gabor_vec3(place.cells_per_radius.x, 0.0f, 0.0f),
                                                  gabor_vec3(0.0f, place.cells_per_radius.y, 0.0f),

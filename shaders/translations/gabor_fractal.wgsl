@@ -378,8 +378,14 @@ fn gabor_impl_add_octave(sum: ptr<function, GaborFractalNoise>, octave: GaborImp
     (*sum).lost += amplitude * amplitude * covariance;
 }
 
-fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise {
+    var dx = dx_in;
+    var dy = dy_in;
     var sum = GaborFractalNoise(0.0, vec2f(0.0), 0.0, vec3f(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = vec2f(1.0e3, 0.0);
+        dy = vec2f(0.0, 1.0e3);
+    }
     var octave = GaborImplOctave(place.cell, place.local, place.period, vec2f(place.cells_per_radius.x, 0.0),
                                  vec2f(0.0, place.cells_per_radius.y));
     let by = gabor_impl_octave_step(fractal);
@@ -624,8 +630,15 @@ fn gabor_impl_perlin_sum_3d(x: GaborImplLine, y: GaborImplLine, z: GaborImplLine
     return sum;
 }
 
-fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise3d {
+fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_in: vec3f, fractal: GaborFractal,
+                         seed: u32) -> GaborFractalNoise3d {
+    var dx = dx_in;
+    var dy = dy_in;
     var sum = GaborFractalNoise3d(0.0, vec3f(0.0), 0.0, vec3f(0.0), vec3f(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = vec3f(1.0e3, 0.0, 0.0);
+        dy = vec3f(0.0, 1.0e3, 1.0e3);
+    }
     var octave = GaborImplOctave3d(place.cell, place.local, place.period,
                                    vec3f(place.cells_per_radius.x, 0.0, 0.0),
                                    vec3f(0.0, place.cells_per_radius.y, 0.0),

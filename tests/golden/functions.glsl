@@ -398,8 +398,9 @@ void see_all(int i) {
     cubes.shape = repeats.shape;
     float octaves = turns.octaves, gain = turns.gain, strength = drawn(i, 65, 0.0f, 1.0f);
     GaborPlace near = gabor_place_at(p), far = gabor_place(s.cell, s.local);
-    GaborPlace3d far_3d = gabor_place_3d(ivec3(s.cell.x, s.cell.y, i), vec3(s.local.x, s.time, s.local.y));
+    GaborPlace3d far_3d = gabor_place_3d(ivec3(s.cell.x, s.cell.y, i), vec3(s.local.x, s.local.y, s.local.x));
     here.local = 1.5f * q;
+    solid.local.y = s.local.x; // an evolution may be too large for a position
     if (i / 4 % 4 == 3) block.local *= 1.0e-4f;
     SEE(gabor_uniform(s.time))
     SEE(gabor_uniform_slope(s.time))
