@@ -339,7 +339,8 @@ float gabor_impl_kept_magnitude(float kept) {
 }
 
 GaborFractal gabor_fractal(float octaves, float gain) {
-    return GaborFractal_of(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM); // atan(3/4)
+    // 0.64350111, atan(3/4), was chosen because five such turns spread evenly over a right angle
+    return GaborFractal_of(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM);
 }
 
 // ---- In the plane --------------------------------------------------------------------------------------------------
@@ -410,7 +411,7 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
         covariance += (1.0 - mean.y * mean.y) * float3(gradient * gradient, gradient.x * gradient.y);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964 : 1.6588964; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967 : 1.6588967; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -609,7 +610,7 @@ void gabor_impl_add_octave_3d(inout GaborFractalNoise3d sum, GaborImplOctave3d o
         mixed += (1.0 - mean.y * mean.y) * float3(gradient.x * gradient.yz, gradient.y * gradient.z);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964 : 1.6588964; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967 : 1.6588967; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -711,7 +712,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
             if (perlin) {
                 float3 odd = float3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even;
+                odd = 0.33333333 * kept * odd * odd / even; // 1/3
                 slopes = float3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;
@@ -719,7 +720,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
             }
             oblique = min(oblique, rsqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = max((perlin ? 2.2559094 : 1.4621636) - oblique * oblique * slopes, 0.0); // 8/35 pi^2, 4/27 pi^2
+            lost = max((perlin ? 2.2559096 : 1.4621636) - oblique * oblique * slopes, 0.0); // 8/35 pi^2, 4/27 pi^2
         }
         float4 noise = (float4)(0.0);
         if (kept > 0.0) {

@@ -313,7 +313,8 @@ GABOR_INLINE float gabor_impl_kept_magnitude(float kept) {
 }
 
 GABOR_INLINE GaborFractal gabor_fractal(float octaves, float gain) {
-    return GaborFractal{octaves, gain, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_FBM}; // atan(3/4)
+    // 0.64350111, atan(3/4), was chosen because five such turns spread evenly over a right angle
+    return GaborFractal{octaves, gain, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_FBM};
 }
 
 // ---- In the plane --------------------------------------------------------------------------------------------------
@@ -379,7 +380,7 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
         covariance += (1.0f - mean.y * mean.y) * gabor_vec3(gradient * gradient, gradient.x * gradient.y);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964f : 1.6588964f; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967f : 1.6588967f; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -572,7 +573,7 @@ GABOR_INLINE void gabor_impl_add_octave_3d(GaborFractalNoise3d& sum, GaborImplOc
         mixed += (1.0f - mean.y * mean.y) * gabor_vec3(gradient.x * gradient.yz(), gradient.y * gradient.z);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964f : 1.6588964f; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967f : 1.6588967f; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -674,7 +675,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
             if (perlin) {
                 gabor_vec3 odd = gabor_vec3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333f * kept * odd * odd / even;
+                odd = 0.33333333f * kept * odd * odd / even; // 1/3
                 slopes = gabor_vec3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;
@@ -682,7 +683,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
             }
             oblique = gabor_cpp_min(oblique, gabor_cpp_inversesqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = gabor_cpp_max((perlin ? 2.2559094f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 8/35 pi^2, 4/27 pi^2
+            lost = gabor_cpp_max((perlin ? 2.2559096f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 8/35 pi^2, 4/27 pi^2
         }
         gabor_vec4 noise = gabor_vec4(0.0f);
         if (kept > 0.0f) {

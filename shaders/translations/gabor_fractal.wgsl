@@ -301,7 +301,8 @@ fn gabor_impl_kept_magnitude(kept: f32) -> f32 {
 }
 
 fn gabor_fractal(octaves: f32, gain: f32) -> GaborFractal {
-    return GaborFractal(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM); // atan(3/4)
+    // 0.64350111, atan(3/4), was chosen because five such turns spread evenly over a right angle
+    return GaborFractal(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM);
 }
 
 // ---- In the plane --------------------------------------------------------------------------------------------------
@@ -370,7 +371,7 @@ fn gabor_impl_add_octave(sum: ptr<function, GaborFractalNoise>, octave: GaborImp
         covariance += (1.0 - mean.y * mean.y) * vec3f(gradient * gradient, gradient.x * gradient.y);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= select(1.6588964, -1.6588964, shape == GABOR_RIDGED); // 1/sqrt(1 - 2/pi)
+        amplitude *= select(1.6588967, -1.6588967, shape == GABOR_RIDGED); // 1/sqrt(1 - 2/pi)
     }
     (*sum).noise += amplitude * value;
     (*sum).gradient += amplitude * gradient;
@@ -568,7 +569,7 @@ fn gabor_impl_add_octave_3d(sum: ptr<function, GaborFractalNoise3d>, octave: Gab
         mixed += (1.0 - mean.y * mean.y) * vec3f(gradient.x * gradient.yz, gradient.y * gradient.z);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= select(1.6588964, -1.6588964, shape == GABOR_RIDGED); // 1/sqrt(1 - 2/pi)
+        amplitude *= select(1.6588967, -1.6588967, shape == GABOR_RIDGED); // 1/sqrt(1 - 2/pi)
     }
     (*sum).noise += amplitude * value;
     (*sum).gradient += amplitude * gradient;
@@ -675,7 +676,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
             if (perlin) {
                 var odd = vec3f(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even;
+                odd = 0.33333333 * kept * odd * odd / even; // 1/3
                 slopes = vec3f(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                                odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;
@@ -683,7 +684,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
             }
             oblique = min(oblique, inverseSqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = max(select(1.4621636, 2.2559094, perlin) - oblique * oblique * slopes, vec3f(0.0)); // 8/35 pi^2, 4/27 pi^2
+            lost = max(select(1.4621636, 2.2559096, perlin) - oblique * oblique * slopes, vec3f(0.0)); // 8/35 pi^2, 4/27 pi^2
         }
         var noise = vec4f(0.0);
         if (kept > 0.0) {
