@@ -52,7 +52,7 @@ struct GaborFractal {
     float octaves;
     float gain;
     float lacunarity; // frequency of an octave relative to the previous one, 1 to 4, rounded to a multiple of 1/4096
-    float turn;       // angle in radians by which an octave is turned against the previous one; unused with a period
+    float turn;       // angle in radians by which an octave is turned against the previous one, unused with a period
     int basis;        // GABOR_SMOOTH or GABOR_PERLIN
     int shape;        // GABOR_FBM, GABOR_BILLOW or GABOR_RIDGED
 };
@@ -67,7 +67,7 @@ GaborFractal GaborFractal_of(float octaves, float gain, float lacunarity, float 
 
 struct GaborFractalNoise {
     float noise;
-    float2 gradient; // per kernel radius of the first octave; filtered, at a fixed footprint
+    float2 gradient; // per kernel radius of the first octave, with a filter at a fixed footprint
     float removed; // share of the variance that a filter removed
     float3 lost;     // covariance xx, yy, xy of the slopes that a filter removed, such as materials add to roughness
 };

@@ -43,7 +43,7 @@ struct GaborFractal {
     octaves: f32,
     gain: f32,
     lacunarity: f32, // frequency of an octave relative to the previous one, 1 to 4, rounded to a multiple of 1/4096
-    turn: f32,       // angle in radians by which an octave is turned against the previous one; unused with a period
+    turn: f32,       // angle in radians by which an octave is turned against the previous one, unused with a period
     basis: i32,      // GABOR_SMOOTH or GABOR_PERLIN
     shape: i32,      // GABOR_FBM, GABOR_BILLOW or GABOR_RIDGED
 }
@@ -53,7 +53,7 @@ struct GaborFractal {
 
 struct GaborFractalNoise {
     noise: f32,
-    gradient: vec2f, // per kernel radius of the first octave; filtered, at a fixed footprint
+    gradient: vec2f, // per kernel radius of the first octave, with a filter at a fixed footprint
     removed: f32,    // share of the variance that a filter removed
     lost: vec3f,     // covariance xx, yy, xy of the slopes that a filter removed, such as materials add to roughness
 }
