@@ -255,7 +255,8 @@ vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, float evolution) {
     return sum / GABOR_IMPL_DEVIATION;
 }
 
-GaborImplLine gabor_impl_line(int cell, float local, int period, uint salt, float variance, int basis, bool filtered) {
+GaborImplLine gabor_impl_any_line(int cell, float local, int period, uint salt, float variance, int basis,
+                                  bool filtered) {
     if (basis == GABOR_PERLIN) return gabor_impl_perlin_line(cell, local, period, salt, variance);
     if (filtered) return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
     return gabor_impl_smooth_line(cell, local, period, salt);
@@ -423,10 +424,10 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
         }
         vec3 noise = vec3(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                              fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                              fractal.basis, filtered);
+            GaborImplLine x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                                  fractal.basis, filtered);
+            GaborImplLine y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                                  fractal.basis, filtered);
             if (perlin) noise = 0.70710678 * gabor_impl_perlin_sum(x, y, place.evolution); // 1/sqrt(2)
             else noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution);
             if (filtered) noise *= oblique;
@@ -475,8 +476,8 @@ float gabor_ridged(vec2 p, float octaves, float gain, uint seed) {
     return -gabor_billow(p, octaves, gain, seed);
 }
 
-GaborWarp gabor_impl_warp(GaborPlace place, bool filtered, vec2 dx, vec2 dy, float strength, GaborFractal fractal,
-                          uint seed) {
+GaborWarp gabor_impl_any_warp(GaborPlace place, bool filtered, vec2 dx, vec2 dy, float strength, GaborFractal fractal,
+                              uint seed) {
     GaborFractalNoise x = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     GaborFractalNoise y = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
     place.local += strength * vec2(x.noise, y.noise) * place.cells_per_radius;
@@ -486,11 +487,11 @@ GaborWarp gabor_impl_warp(GaborPlace place, bool filtered, vec2 dx, vec2 dy, flo
 }
 
 GaborWarp gabor_warp(GaborPlace place, float strength, GaborFractal fractal, uint seed) {
-    return gabor_impl_warp(place, false, vec2(0.0), vec2(0.0), strength, fractal, seed);
+    return gabor_impl_any_warp(place, false, vec2(0.0), vec2(0.0), strength, fractal, seed);
 }
 
 GaborWarp gabor_warp_filtered(GaborPlace place, vec2 dx, vec2 dy, float strength, GaborFractal fractal, uint seed) {
-    return gabor_impl_warp(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp(place, true, dx, dy, strength, fractal, seed);
 }
 
 // ---- In a volume ---------------------------------------------------------------------------------------------------
@@ -678,12 +679,12 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
         }
         vec4 noise = vec4(0.0);
         if (kept > 0.0) {
-            GaborImplLine x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                              fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                              fractal.basis, filtered);
-            GaborImplLine z = gabor_impl_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                              fractal.basis, filtered);
+            GaborImplLine x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                                  fractal.basis, filtered);
+            GaborImplLine y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                                  fractal.basis, filtered);
+            GaborImplLine z = gabor_impl_any_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
+                                                  fractal.basis, filtered);
             if (perlin) noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); // 1/sqrt(3)
             else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution);
             if (filtered) noise *= oblique;
@@ -721,8 +722,8 @@ float gabor_fbm_3d(vec3 p, float octaves, float gain, uint seed) {
     return gabor_fractal_noise_3d(gabor_place_3d_at(p), gabor_fractal(octaves, gain), seed).noise;
 }
 
-GaborWarp3d gabor_impl_warp_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 dy, float strength,
-                               GaborFractal fractal, uint seed) {
+GaborWarp3d gabor_impl_any_warp_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 dy, float strength,
+                                   GaborFractal fractal, uint seed) {
     GaborFractalNoise3d x = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     GaborFractalNoise3d y = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
     GaborFractalNoise3d z = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 2));
@@ -735,12 +736,12 @@ GaborWarp3d gabor_impl_warp_3d(GaborPlace3d place, bool filtered, vec3 dx, vec3 
 }
 
 GaborWarp3d gabor_warp_3d(GaborPlace3d place, float strength, GaborFractal fractal, uint seed) {
-    return gabor_impl_warp_3d(place, false, vec3(0.0), vec3(0.0), strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, false, vec3(0.0), vec3(0.0), strength, fractal, seed);
 }
 
 GaborWarp3d gabor_warp_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float strength, GaborFractal fractal,
                                    uint seed) {
-    return gabor_impl_warp_3d(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, true, dx, dy, strength, fractal, seed);
 }
 
 #endif

@@ -264,7 +264,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, 
     return sum / GABOR_IMPL_DEVIATION;
 }
 
-GABOR_INLINE GaborImplLine gabor_impl_line(int cell, float local, int period, std::uint32_t salt, float variance, int basis, bool filtered) {
+GABOR_INLINE GaborImplLine gabor_impl_any_line(int cell, float local, int period, std::uint32_t salt, float variance, int basis,
+                                  bool filtered) {
     if (basis == GABOR_PERLIN) return gabor_impl_perlin_line(cell, local, period, salt, variance);
     if (filtered) return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
     return gabor_impl_smooth_line(cell, local, period, salt);
@@ -432,10 +433,10 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
         }
         gabor_vec3 noise = gabor_vec3(0.0f);
         if (kept > 0.0f) {
-            GaborImplLine x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                              fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                              fractal.basis, filtered);
+            GaborImplLine x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                                  fractal.basis, filtered);
+            GaborImplLine y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                                  fractal.basis, filtered);
             if (perlin) noise = 0.70710678f * gabor_impl_perlin_sum(x, y, place.evolution); // 1/sqrt(2)
             else noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution);
             if (filtered) noise *= oblique;
@@ -484,8 +485,8 @@ GABOR_INLINE float gabor_ridged(gabor_vec2 p, float octaves, float gain, std::ui
     return -gabor_billow(p, octaves, gain, seed);
 }
 
-GABOR_INLINE GaborWarp gabor_impl_warp(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, float strength, GaborFractal fractal,
-                          std::uint32_t seed) {
+GABOR_INLINE GaborWarp gabor_impl_any_warp(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, float strength, GaborFractal fractal,
+                              std::uint32_t seed) {
     GaborFractalNoise x = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     GaborFractalNoise y = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
     place.local += strength * gabor_vec2(x.noise, y.noise) * place.cells_per_radius;
@@ -495,11 +496,11 @@ GABOR_INLINE GaborWarp gabor_impl_warp(GaborPlace place, bool filtered, gabor_ve
 }
 
 GABOR_INLINE GaborWarp gabor_warp(GaborPlace place, float strength, GaborFractal fractal, std::uint32_t seed) {
-    return gabor_impl_warp(place, false, gabor_vec2(0.0f), gabor_vec2(0.0f), strength, fractal, seed);
+    return gabor_impl_any_warp(place, false, gabor_vec2(0.0f), gabor_vec2(0.0f), strength, fractal, seed);
 }
 
 GABOR_INLINE GaborWarp gabor_warp_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, float strength, GaborFractal fractal, std::uint32_t seed) {
-    return gabor_impl_warp(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp(place, true, dx, dy, strength, fractal, seed);
 }
 
 // ---- In a volume ---------------------------------------------------------------------------------------------------
@@ -687,12 +688,12 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
         }
         gabor_vec4 noise = gabor_vec4(0.0f);
         if (kept > 0.0f) {
-            GaborImplLine x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                              fractal.basis, filtered);
-            GaborImplLine y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                              fractal.basis, filtered);
-            GaborImplLine z = gabor_impl_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                              fractal.basis, filtered);
+            GaborImplLine x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                                  fractal.basis, filtered);
+            GaborImplLine y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                                  fractal.basis, filtered);
+            GaborImplLine z = gabor_impl_any_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
+                                                  fractal.basis, filtered);
             if (perlin) noise = 0.57735027f * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); // 1/sqrt(3)
             else noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution);
             if (filtered) noise *= oblique;
@@ -730,8 +731,8 @@ GABOR_INLINE float gabor_fbm_3d(gabor_vec3 p, float octaves, float gain, std::ui
     return gabor_fractal_noise_3d(gabor_place_3d_at(p), gabor_fractal(octaves, gain), seed).noise;
 }
 
-GABOR_INLINE GaborWarp3d gabor_impl_warp_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, float strength,
-                               GaborFractal fractal, std::uint32_t seed) {
+GABOR_INLINE GaborWarp3d gabor_impl_any_warp_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, float strength,
+                                   GaborFractal fractal, std::uint32_t seed) {
     GaborFractalNoise3d x = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     GaborFractalNoise3d y = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
     GaborFractalNoise3d z = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 2));
@@ -744,12 +745,12 @@ GABOR_INLINE GaborWarp3d gabor_impl_warp_3d(GaborPlace3d place, bool filtered, g
 }
 
 GABOR_INLINE GaborWarp3d gabor_warp_3d(GaborPlace3d place, float strength, GaborFractal fractal, std::uint32_t seed) {
-    return gabor_impl_warp_3d(place, false, gabor_vec3(0.0f), gabor_vec3(0.0f), strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, false, gabor_vec3(0.0f), gabor_vec3(0.0f), strength, fractal, seed);
 }
 
 GABOR_INLINE GaborWarp3d gabor_warp_3d_filtered(GaborPlace3d place, gabor_vec3 dx, gabor_vec3 dy, float strength, GaborFractal fractal,
                                    std::uint32_t seed) {
-    return gabor_impl_warp_3d(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, true, dx, dy, strength, fractal, seed);
 }
 
 #endif

@@ -252,7 +252,7 @@ fn gabor_impl_perlin_sum(x: GaborImplLine, y: GaborImplLine, evolution: f32) -> 
     return sum / GABOR_IMPL_DEVIATION;
 }
 
-fn gabor_impl_line(cell: i32, local: f32, period: i32, salt: u32, variance: f32, basis: i32, filtered: bool) -> GaborImplLine {
+fn gabor_impl_any_line(cell: i32, local: f32, period: i32, salt: u32, variance: f32, basis: i32, filtered: bool) -> GaborImplLine {
     if (basis == GABOR_PERLIN) { return gabor_impl_perlin_line(cell, local, period, salt, variance); }
     if (filtered) { return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance); }
     return gabor_impl_smooth_line(cell, local, period, salt);
@@ -424,10 +424,10 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
         }
         var noise = vec3f(0.0);
         if (kept > 0.0) {
-            let x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                    fractal.basis, filtered);
-            let y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                    fractal.basis, filtered);
+            let x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                        fractal.basis, filtered);
+            let y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                        fractal.basis, filtered);
             if (perlin) { noise = 0.70710678 * gabor_impl_perlin_sum(x, y, place.evolution); } // 1/sqrt(2)
             else { noise = gabor_impl_smooth_sum(x, y, filtered, place.evolution); }
             if (filtered) { noise *= oblique; }
@@ -476,8 +476,8 @@ fn gabor_ridged(p: vec2f, octaves: f32, gain: f32, seed: u32) -> f32 {
     return -gabor_billow(p, octaves, gain, seed);
 }
 
-fn gabor_impl_warp(place_in: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, strength: f32, fractal: GaborFractal,
-                   seed: u32) -> GaborWarp {
+fn gabor_impl_any_warp(place_in: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, strength: f32,
+                       fractal: GaborFractal, seed: u32) -> GaborWarp {
     var place = place_in;
     let x = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     let y = gabor_impl_fractal(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
@@ -488,11 +488,11 @@ fn gabor_impl_warp(place_in: GaborPlace, filtered: bool, dx: vec2f, dy: vec2f, s
 }
 
 fn gabor_warp(place: GaborPlace, strength: f32, fractal: GaborFractal, seed: u32) -> GaborWarp {
-    return gabor_impl_warp(place, false, vec2f(0.0), vec2f(0.0), strength, fractal, seed);
+    return gabor_impl_any_warp(place, false, vec2f(0.0), vec2f(0.0), strength, fractal, seed);
 }
 
 fn gabor_warp_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, strength: f32, fractal: GaborFractal, seed: u32) -> GaborWarp {
-    return gabor_impl_warp(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp(place, true, dx, dy, strength, fractal, seed);
 }
 
 // ---- In a volume ---------------------------------------------------------------------------------------------------
@@ -688,12 +688,12 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
         }
         var noise = vec4f(0.0);
         if (kept > 0.0) {
-            let x = gabor_impl_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
-                                    fractal.basis, filtered);
-            let y = gabor_impl_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
-                                    fractal.basis, filtered);
-            let z = gabor_impl_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
-                                    fractal.basis, filtered);
+            let x = gabor_impl_any_line(octave.cell.x, octave.local.x, octave.period.x, salt, variance.x,
+                                        fractal.basis, filtered);
+            let y = gabor_impl_any_line(octave.cell.y, octave.local.y, octave.period.y, rows, variance.y,
+                                        fractal.basis, filtered);
+            let z = gabor_impl_any_line(octave.cell.z, octave.local.z, octave.period.z, slices, variance.z,
+                                        fractal.basis, filtered);
             if (perlin) { noise = 0.57735027 * gabor_impl_perlin_sum_3d(x, y, z, place.evolution); } // 1/sqrt(3)
             else { noise = gabor_impl_smooth_sum_3d(x, y, z, filtered, place.evolution); }
             if (filtered) { noise *= oblique; }
@@ -731,8 +731,8 @@ fn gabor_fbm_3d(p: vec3f, octaves: f32, gain: f32, seed: u32) -> f32 {
     return gabor_fractal_noise_3d(gabor_place_3d_at(p), gabor_fractal(octaves, gain), seed).noise;
 }
 
-fn gabor_impl_warp_3d(place_in: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, strength: f32,
-                      fractal: GaborFractal, seed: u32) -> GaborWarp3d {
+fn gabor_impl_any_warp_3d(place_in: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec3f, strength: f32,
+                          fractal: GaborFractal, seed: u32) -> GaborWarp3d {
     var place = place_in;
     let x = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 0));
     let y = gabor_impl_fractal_3d(place, filtered, dx, dy, fractal, gabor_derived_seed(seed, 1));
@@ -746,9 +746,9 @@ fn gabor_impl_warp_3d(place_in: GaborPlace3d, filtered: bool, dx: vec3f, dy: vec
 }
 
 fn gabor_warp_3d(place: GaborPlace3d, strength: f32, fractal: GaborFractal, seed: u32) -> GaborWarp3d {
-    return gabor_impl_warp_3d(place, false, vec3f(0.0), vec3f(0.0), strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, false, vec3f(0.0), vec3f(0.0), strength, fractal, seed);
 }
 
 fn gabor_warp_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, strength: f32, fractal: GaborFractal, seed: u32) -> GaborWarp3d {
-    return gabor_impl_warp_3d(place, true, dx, dy, strength, fractal, seed);
+    return gabor_impl_any_warp_3d(place, true, dx, dy, strength, fractal, seed);
 }

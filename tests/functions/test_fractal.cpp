@@ -611,7 +611,7 @@ TEST_CASE("five octaves of smooth noise have the same power along the axes and t
         CHECK(std::abs(ratio - expected) < within);
     };
     check("a smooth octave", axes_to_diagonals(false, 1), 0.967, 0.002);
-    check("a Perlin octave", axes_to_diagonals(true, 1), 0.917, 0.005);
+    check("a Perlin octave", axes_to_diagonals(true, 1), 0.92, 0.005);
     check("five smooth octaves", axes_to_diagonals(false, 5), 1, 0.03);
     check("five Perlin octaves", axes_to_diagonals(true, 5), 1, 0.06);
 }
@@ -642,7 +642,7 @@ TEST_CASE(
                 for (std::size_t axis = 0; axis < at.place.local.size(); ++axis) {
                     auto &x = at.pixel.dx[axis], &y = at.pixel.dy[axis];
                     if (path % 3 == 1)
-                        x *= std::exp2(4 * t), y *= std::exp2(4 * t);
+                        x *= std::exp2(t), y *= std::exp2(t);
                     if (path % 3 == 2)
                         std::tie(x, y) = std::pair(std::cos(angle * t) * x - std::sin(angle * t) * y,
                                                    std::sin(angle * t) * x + std::cos(angle * t) * y);
@@ -651,7 +651,7 @@ TEST_CASE(
             };
             // A crease of billows is a steep change of slope where little is filtered.
             const float scale = s.fractal.shape == Fractal::Shape::fbm ? 1 : 0.1f;
-            test::check_path(of, path, 1 << 12, [&](double t) { return scale * filtered(moved(t)).noise; });
+            test::check_path(of, path, 1 << 14, [&](double t) { return scale * filtered(moved(t)).noise; });
             if (s.fractal.shape == Fractal::Shape::fbm) {
                 test::check_path(of, path, 1 << 13,
                                  [&](double t) { return 0.02f * filtered(moved(t)).gradient.x; });

@@ -233,11 +233,10 @@ float kept(GaborFractalNoise3d f) {
     return f.noise + 0.05f * kept(f.gradient) + f.removed + 0.001f * (kept(f.lost) + kept(f.lost_mixed));
 }
 float kept(GaborWarp w) {
-    return gabor_fractal_noise(w.place, gabor_fractal(1.0f, 0.0f), 7u).noise + 0.1f * (kept(w.dx) - kept(w.dy)) + 0.001f * kept(w.lost);
+    return kept(w.place.local) + 0.1f * (kept(w.dx) - kept(w.dy)) + 0.001f * kept(w.lost);
 }
 float kept(GaborWarp3d w) {
-    return gabor_fractal_noise_3d(w.place, gabor_fractal(1.0f, 0.0f), 7u).noise + 0.1f * (kept(w.dx) - kept(w.dy) + 0.7f * kept(w.dz))
-           + 0.001f * (kept(w.lost) + kept(w.lost_mixed));
+    return kept(w.place.local) + 0.1f * (kept(w.dx) - kept(w.dy) + 0.7f * kept(w.dz)) + 0.001f * (kept(w.lost) + kept(w.lost_mixed));
 }
 #endif
 
@@ -390,18 +389,17 @@ void see_all(int i) {
     GaborFractal repeats = gabor_fractal(drawn_to_ends(i, 60, 1.0f, 4.0f), drawn_to_ends(i, 61, 0.0f, 1.0f));
     repeats.lacunarity = float(1 + i % 4);
     repeats.basis = i / 4 % 2 == 0 ? GABOR_SMOOTH : GABOR_PERLIN;
-    repeats.shape = i % 3 == 0 ? GABOR_FBM : i % 3 == 1 ? GABOR_BILLOW : GABOR_RIDGED;
     GaborFractal turns = repeats, cubes = gabor_fractal(drawn(i, 62, 1.0f, 5.0f), drawn(i, 63, 0.3f, 0.9f));
     turns.lacunarity = (floor(drawn(i, 64, 64.0f, 256.0f)) + 0.3f) / 64.0f;
     turns.turn = i % 4 == 0 ? 0.0f : i % 4 == 1 ? 1.5707963f : i % 4 == 2 ? 0.6435011f : -0.9272952f;
     cubes.basis = repeats.basis;
-    cubes.shape = repeats.shape;
+    // At a crease, gradients of billows and ridges depend on the last digit.
+    GaborFractal rough = turns, rough_repeats = repeats, rough_cubes = cubes;
+    rough.shape = rough_repeats.shape = rough_cubes.shape = i % 2 == 0 ? GABOR_BILLOW : GABOR_RIDGED;
     float octaves = turns.octaves, gain = turns.gain, strength = drawn(i, 65, 0.0f, 1.0f);
     GaborPlace near = gabor_place_at(p), far = gabor_place(s.cell, s.local);
     GaborPlace3d far_3d = gabor_place_3d(ivec3(s.cell.x, s.cell.y, i), vec3(s.local.x, s.local.y, s.local.x));
-    here.local = 1.5f * q;
     solid.local.y = s.local.x; // an evolution may be too large for a position
-    if (i / 4 % 4 == 3) block.local *= 1.0e-4f;
     SEE(gabor_uniform(s.time))
     SEE(gabor_uniform_slope(s.time))
     SEE(gabor_smooth(p, s.seed))
@@ -414,18 +412,13 @@ void see_all(int i) {
     SEE(kept(gabor_fractal_noise(near, turns, s.seed)))
     SEE(kept(gabor_fractal_noise(far, turns, s.seed)))
     SEE(kept(gabor_fractal_noise(place, repeats, s.seed)))
-    SEE(kept(gabor_fractal_noise(tile, repeats, s.seed)))
-    SEE(kept(gabor_fractal_noise_filtered(near, s.dx, s.dy, turns, s.seed)))
+    SEE(gabor_fractal_noise(tile, rough_repeats, s.seed).noise)
+    SEE(gabor_fractal_noise_filtered(near, s.dx, s.dy, rough, s.seed).noise)
     SEE(kept(gabor_fractal_noise_filtered(place, s.dx, s.dy, repeats, s.seed)))
-    SEE(kept(gabor_fractal_noise_3d(here, cubes, s.seed)))
-    SEE(kept(gabor_fractal_noise_3d(far_3d, cubes, s.seed)))
-    SEE(kept(gabor_fractal_noise_3d(solid, repeats, s.seed)))
-    SEE(kept(gabor_fractal_noise_3d(block, repeats, s.seed)))
-    SEE(kept(gabor_fractal_noise_3d_filtered(here, dx, dy, cubes, s.seed)))
+    SEE(gabor_fractal_noise_3d(far_3d, rough_cubes, s.seed).noise)
     SEE(kept(gabor_fractal_noise_3d_filtered(solid, dx, dy, repeats, s.seed)))
-    SEE(kept(gabor_warp(near, strength, turns, s.seed)))
+    SEE(kept(gabor_warp(far, strength, turns, s.seed)))
     SEE(kept(gabor_warp_filtered(place, s.dx, s.dy, strength, repeats, s.seed)))
-    SEE(kept(gabor_warp_3d(here, strength, cubes, s.seed)))
     SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, repeats, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
