@@ -227,16 +227,16 @@ float kept(GaborTerrain t) {
 
 #if defined GOLDEN_FRACTAL
 float kept(GaborFractalNoise f) {
-    return f.noise + 0.05f * kept(f.gradient) + f.removed + 0.001f * kept(f.lost);
+    return f.noise + 0.01f * kept(f.gradient) + f.removed + 0.0001f * kept(f.lost);
 }
 float kept(GaborFractalNoise3d f) {
-    return f.noise + 0.05f * kept(f.gradient) + f.removed + 0.001f * (kept(f.lost) + kept(f.lost_mixed));
+    return f.noise + 0.01f * kept(f.gradient) + f.removed + 0.0001f * (kept(f.lost) + kept(f.lost_mixed));
 }
 float kept(GaborWarp w) {
-    return kept(w.place.local) + 0.1f * (kept(w.dx) - kept(w.dy)) + 0.001f * kept(w.lost);
+    return kept(w.place.local) + 0.01f * (kept(w.dx) - kept(w.dy)) + 0.0001f * kept(w.lost);
 }
 float kept(GaborWarp3d w) {
-    return kept(w.place.local) + 0.1f * (kept(w.dx) - kept(w.dy) + 0.7f * kept(w.dz)) + 0.001f * (kept(w.lost) + kept(w.lost_mixed));
+    return kept(w.place.local) + 0.01f * (kept(w.dx) - kept(w.dy) + 0.7f * kept(w.dz)) + 0.0001f * (kept(w.lost) + kept(w.lost_mixed));
 }
 #endif
 
@@ -386,10 +386,10 @@ void see_all(int i) {
     // are rounded, and no step is near a number that rounds to another multiple of 1/4096.
     vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p;
     vec3 q = i / 4 % 4 == 3 ? 1.0e-4f * s.q : s.q;
-    GaborFractal repeats = gabor_fractal(drawn_to_ends(i, 60, 1.0f, 4.0f), drawn_to_ends(i, 61, 0.0f, 1.0f));
+    GaborFractal repeats = gabor_fractal(drawn_to_ends(i, 60, 1.0f, 3.0f), drawn_to_ends(i, 61, 0.0f, 1.0f));
     repeats.lacunarity = float(1 + i % 4);
     repeats.basis = i / 4 % 2 == 0 ? GABOR_SMOOTH : GABOR_PERLIN;
-    GaborFractal turns = repeats, cubes = gabor_fractal(drawn(i, 62, 1.0f, 5.0f), drawn(i, 63, 0.3f, 0.9f));
+    GaborFractal turns = repeats, cubes = gabor_fractal(drawn(i, 62, 1.0f, 3.0f), drawn(i, 63, 0.3f, 0.9f));
     turns.lacunarity = (floor(drawn(i, 64, 64.0f, 256.0f)) + 0.3f) / 64.0f;
     turns.turn = i % 4 == 0 ? 0.0f : i % 4 == 1 ? 1.5707963f : i % 4 == 2 ? 0.6435011f : -0.9272952f;
     cubes.basis = repeats.basis;
@@ -419,6 +419,7 @@ void see_all(int i) {
     SEE(kept(gabor_fractal_noise_3d_filtered(solid, dx, dy, repeats, s.seed)))
     SEE(kept(gabor_warp(far, strength, turns, s.seed)))
     SEE(kept(gabor_warp_filtered(place, s.dx, s.dy, strength, repeats, s.seed)))
+    SEE(kept(gabor_warp_3d(solid, strength, repeats, s.seed)))
     SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, repeats, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
