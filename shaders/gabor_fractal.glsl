@@ -81,13 +81,14 @@ struct GaborFractalNoise3d {
 // float gabor_fbm_3d(vec3 p, float octaves, float gain, uint seed)
 // float gabor_billow(vec2 p, float octaves, float gain, uint seed)
 // float gabor_ridged(vec2 p, float octaves, float gain, uint seed)
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // GaborFractalNoise gabor_fractal_noise(GaborPlace place, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d(GaborPlace3d place, GaborFractal fractal, uint seed)
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // GaborFractalNoise gabor_fractal_noise_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, GaborFractal fractal,
@@ -130,8 +131,7 @@ struct GaborWarp3d {
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of
@@ -216,8 +216,12 @@ void gabor_impl_add_smooth_row(inout vec3 sum, GaborImplLine x, uint word, vec2 
     vec4 a = vec4(gabor_impl_amplitude_at(words.x, evolution).x, gabor_impl_amplitude_at(words.y, evolution).x,
                   gabor_impl_amplitude_at(words.z, evolution).x, 0.0);
     if (four) a.w = gabor_impl_amplitude_at(words.w, evolution).x;
-    float row = dot(x.even, a);
-    sum += vec3(even.x * row, even.x * dot(x.even_slope, a), even.y * row);
+    float row = dot(x.even.xyz, a.xyz), side = dot(x.even_slope.xyz, a.xyz);
+    if (four) {
+        row += x.even.w * a.w;
+        side += x.even_slope.w * a.w;
+    }
+    sum += vec3(even.x * row, even.x * side, even.y * row);
 }
 
 // A smooth noise and its gradient. `four` is whether the windows of four nodes reach a point, not three.
@@ -257,9 +261,11 @@ vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, float evolution) {
 
 GaborImplLine gabor_impl_any_line(int cell, float local, int period, uint salt, float variance, int basis,
                                   bool filtered) {
-    if (basis == GABOR_PERLIN) return gabor_impl_perlin_line(cell, local, period, salt, variance);
-    if (filtered) return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
-    return gabor_impl_smooth_line(cell, local, period, salt);
+    GaborImplLine line;
+    if (basis == GABOR_PERLIN) line = gabor_impl_perlin_line(cell, local, period, salt, variance);
+    else if (filtered) line = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else line = gabor_impl_smooth_line(cell, local, period, salt);
+    return line;
 }
 
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
@@ -291,10 +297,9 @@ float gabor_impl_visible(float kept) {
 
 // The mean of |n + sqrt(1 - kept) z| over a normal z of variance 1, and its derivative by n. 0.79788456 is sqrt(2/pi).
 vec2 gabor_impl_mean_magnitude(float n, float kept) {
-    if (kept >= 1.0) return vec2(abs(n), sign(n));
     float deviation = sqrt(max(1.0 - kept, 1.0e-8));
     float t = clamp(n / deviation, -9.0, 9.0), slope = 2.0 * gabor_uniform(t) - 1.0;
-    return vec2(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope);
+    return kept < 1.0 ? vec2(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope) : vec2(abs(n), sign(n));
 }
 
 // The variance of |n| that is left where a filter leaves n the share `kept`: with correlation r, two normal values have
@@ -336,11 +341,14 @@ float gabor_impl_octave_nodes(float nodes, float scale) {
 void gabor_impl_next_octave(inout GaborImplOctave octave, GaborPlace place, vec2 by, float lacunarity, int i) {
     vec2 moved = vec2(0.382, 0.731);
     if (place.period.x == 0 && place.period.y == 0) {
-        ivec2 m = ivec2(by * 4096.0), low = octave.cell & ivec2(4095);
-        uvec2 high = uvec2(octave.cell >> ivec2(12)), n = uvec2(m);
-        ivec2 part = m.x * low + m.y * ivec2(-low.y, low.x);
-        octave.cell = ivec2(n.x * high + n.y * uvec2(0u - high.y, high.x)) + (part >> ivec2(12));
-        octave.local = gabor_impl_product(by, octave.local) + vec2(part & ivec2(4095)) / 4096.0 + moved;
+        octave.local = gabor_impl_product(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0) {
+            ivec2 m = ivec2(by * 4096.0), low = octave.cell & ivec2(4095);
+            uvec2 high = uvec2(octave.cell >> ivec2(12)), n = uvec2(m);
+            ivec2 part = m.x * low + m.y * ivec2(-low.y, low.x);
+            octave.cell = ivec2(n.x * high + n.y * uvec2(0u - high.y, high.x)) + (part >> ivec2(12));
+            octave.local += vec2(part & ivec2(4095)) / 4096.0;
+        }
         octave.along_x = gabor_impl_product(by, octave.along_x);
         octave.along_y = gabor_impl_product(by, octave.along_y);
     } else {
@@ -394,7 +402,6 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -434,6 +441,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
             else if (!perlin) noise *= vec3(1.0, vec2(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = inversesqrt(max(power, 1.0e-30));
     sum.noise *= scale;
@@ -522,11 +530,14 @@ vec3 gabor_impl_step_3d(vec3 by, vec3 v) {
 void gabor_impl_next_octave_3d(inout GaborImplOctave3d octave, GaborPlace3d place, vec3 by, float lacunarity, int i) {
     vec3 moved = vec3(0.382, 0.731, 0.545);
     if (place.period.x == 0 && place.period.y == 0 && place.period.z == 0) {
-        ivec3 m = ivec3(by * 4096.0), low = octave.cell & ivec3(4095);
-        uvec3 high = uvec3(octave.cell >> ivec3(12)), n = uvec3(m);
-        ivec3 part = m.x * low + m.y * low.yzx + m.z * low.zxy;
-        octave.cell = ivec3(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> ivec3(12));
-        octave.local = gabor_impl_step_3d(by, octave.local) + vec3(part & ivec3(4095)) / 4096.0 + moved;
+        octave.local = gabor_impl_step_3d(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0 || place.cell.z != 0) {
+            ivec3 m = ivec3(by * 4096.0), low = octave.cell & ivec3(4095);
+            uvec3 high = uvec3(octave.cell >> ivec3(12)), n = uvec3(m);
+            ivec3 part = m.x * low + m.y * low.yzx + m.z * low.zxy;
+            octave.cell = ivec3(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> ivec3(12));
+            octave.local += vec3(part & ivec3(4095)) / 4096.0;
+        }
         octave.along_x = gabor_impl_step_3d(by, octave.along_x);
         octave.along_y = gabor_impl_step_3d(by, octave.along_y);
         octave.along_z = gabor_impl_step_3d(by, octave.along_z);
@@ -641,7 +652,6 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -693,6 +703,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
                        * (inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = inversesqrt(max(power, 1.0e-30));
     sum.noise *= scale;

@@ -287,7 +287,7 @@ vec4 gabor_impl_radii(GaborImplPixel at, vec2 density) {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
-// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// their slopes. They bend dx and dy even less, for two reasons: slopes at one point are not those of the whole pixel,
 // and the slopes of a filtered height leave out how the steps change.
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = gabor_impl_radii(at, density);
@@ -386,7 +386,7 @@ struct GaborImplPair {
     vec3 lost;
 };
 
-// The pairs of a material.
+// All pairs of noises that one material needs.
 struct GaborImplPairs {
     GaborImplPair pair_0;
     GaborImplPair pair_1;
@@ -483,12 +483,18 @@ struct GaborImplSpotsLine {
     vec2 fade;
 };
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+vec2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * vec2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
+}
+
 GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     vec2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
     vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              vec3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -770,7 +776,8 @@ GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+// The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
+// dy are the pixel's sides.
 float gabor_impl_sample_spread(vec2 dx, vec2 dy) {
     return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
@@ -1074,8 +1081,8 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborIm
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
-// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where a second noise exceeds a threshold, so that
+// they have ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     vec2 width = i == 4 ? vec2(0.25, 0.035) : i == 5 ? vec2(0.35, 0.05) : vec2(1.0, i == 6 ? 0.04 : 0.05);
     vec2 strength = marble.vein_strength * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));

@@ -97,7 +97,7 @@ precision highp int;
 
 // uint gabor_derived_seed(uint seed, int index)
 //     The seed of part `index` of anything made of independent noises, such as octaves, which need a seed each: with
-//     one seed, frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
+//     one seed, frequencies 4 and 8 have a correlation of 0.63 to 0.95 at nodes of the lattice.
 
 // ---- Any position, wave vector, period and evolution ----------------------------------------------------------------
 
@@ -176,9 +176,9 @@ struct GaborField {
 //
 // The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
 // second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
-// derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
-// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because sums of independent normal variables
-// are normal.
+// derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: along the wave by 0.14 of
+// their standard deviation at frequency 1, across it and at frequency 0 by 1.15. The noise is normal because sums of
+// independent normal variables are normal.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
 // the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
@@ -231,7 +231,7 @@ uint gabor_impl_slice_word(uint row, uint slice) {
 // Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
 // are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
-// [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
+// [TNVT19] is 0.002 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
 // node's amplitude.
 vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));

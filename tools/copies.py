@@ -60,7 +60,7 @@ def struct_rows(*trees):
     lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
     for option, kind, *numbers, about in parameters(*trees):
         braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in numbers)
-        lines.append(f'{{"{option}", Kind::{kind}, {", ".join(braced)}, "{about}"}},')
+        lines.append(f'{{"{option}", Type::{kind}, {", ".join(braced)}, "{about}"}},')
     return "\n".join(lines) + "\n"
 
 
@@ -73,7 +73,7 @@ def controls(tree):
 
 def materials(of_materials, of_boards):
     """Returns the page's JSON: the controls of materials and of boards, and the program's presets that are materials."""
-    presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "presets").glob("*.json"))}
+    presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
     presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|.*\.", key)}
                for name, preset in presets.items() if "material" in preset}
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets)
@@ -95,7 +95,7 @@ def made(shader, in_wgsl):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
     before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
+    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}

@@ -1,27 +1,15 @@
 #pragma once
 
-// The subcommands of gabor, and functions for adding and reading their options.
-
-#include "error.hpp"
-#include "render/heightmap.hpp"
-#include "render/parameters.hpp"
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <array>
-#include <charconv>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
+namespace CLI {
+class App;
+}
 
 namespace gabor::cli {
 
 /// Each of these functions adds one subcommand, whose callback does the work.
 void add_render_command(CLI::App& app);
+void add_maps_command(CLI::App& app);
+void add_texture_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_erode_command(CLI::App& app);
 void add_stats_command(CLI::App& app);
@@ -29,78 +17,5 @@ void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
-
-/// Adds an option. The help text shows `type` for its value.
-template <typename Value>
-CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value, const std::string& type,
-                        const std::string& help) {
-    return command.add_option(name, value, help)->type_name(type);
-}
-
-/// Starts a group of options in the help text; an empty name hides them.
-void begin_group(CLI::App& command, const std::string& name);
-
-/// Adds an option for a range of heights; `help` says what 0 and 65535 stand for without it.
-void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help);
-
-/// Reads LOW,HIGH.
-render::Elevation parse_elevation(std::string_view text);
-
-/// Parameters from render::parameters(), each with its command-line option.
-using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
-
-/// Adds the option of a parameter. The help text has its value in `defaults`, if it has one there, or its
-/// defaults in other requests.
-void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
-                   const render::Request& defaults);
-
-/// Returns the values of the options that the user gave. Throws a RequestError that names an invalid option.
-render::Values given_values(const ParameterOptions& options);
-
-/// Throws RequestError with the message "OPTION 'TEXT': expected ACCEPTED".
-[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);
-
-/// Reads `count` numbers with `separator` between them, such as 1024x768 or 0,0,64,64.
-template <typename Number, std::size_t count>
-std::array<Number, count> parse_numbers(std::string_view option, std::string_view text, char separator,
-                                        std::string_view accepted) {
-    std::array<Number, count> values{};
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i > 0 && (at == end || *at++ != separator))
-            refuse(option, text, accepted);
-        const auto [stop, error] = std::from_chars(at, end, values[i]);
-        if (error != std::errc())
-            refuse(option, text, accepted);
-        at = stop;
-    }
-    if (at != end)
-        refuse(option, text, accepted);
-    return values;
-}
-
-/// Reads a finite number above 0.
-double parse_positive(std::string_view option, std::string_view text, std::string_view accepted);
-
-/// Reads a whole number from `low` to `high`. Error messages append `where` to these limits.
-int parse_integer(std::string_view option, std::string_view text, int low, int high,
-                  std::string_view where = "");
-
-/// Reads WIDTHxHEIGHT.
-std::array<int, 2> parse_size(std::string_view text, int most);
-
-/// Returns the extension of a file name, in lower case. Throws RequestError unless it is one of `accepted`,
-/// or empty and not `required`.
-std::string check_extension(std::string_view option, const std::filesystem::path& path,
-                            const std::vector<const char*>& accepted, bool required);
-
-/// Reads X,Y,WIDTH,HEIGHT.
-image::Rect parse_region(std::string_view text);
-
-/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the
-/// region `whose` and the picture `whole`.
-void check_within(const image::Rect& region, int width, int height, std::string_view whose,
-                  std::string_view whole);
 
 } // namespace gabor::cli

@@ -1,12 +1,13 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
 #include "image/picture.hpp"
 #include "names.hpp"
-#include "render/erosion.hpp"
-#include "render/file.hpp"
-#include "render/load.hpp"
+#include "render/output/erosion.hpp"
+#include "render/output/file.hpp"
+#include "render/request/load.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>
@@ -32,7 +33,8 @@ constexpr render::Elevation typical_elevation{0, 1000};
 
 std::vector<std::string_view> terrain_presets() {
     std::vector<std::string_view> names = render::preset_names();
-    std::erase_if(names, [](std::string_view name) { return !render::has_terrain(render::preset(name)); });
+    std::erase_if(names,
+                  [](std::string_view name) { return render::preset(name).kind != render::Kind::terrain; });
     return names;
 }
 
@@ -157,12 +159,6 @@ Map map_of(const ErodeOptions& options, const Open& open, const image::PictureRe
     return map;
 }
 
-bool is_given(const ErodeOptions& options, std::string_view name) {
-    return std::ranges::any_of(options.parameters, [name](const auto& each) {
-        return each.first->name == name && each.second->count() > 0;
-    });
-}
-
 // Makes erosion change heights by at most an eighth of their range.
 void limit_strength(render::Request& request, const Map& map) {
     const double most = (map.smoothed.range[1] - map.smoothed.range[0]) / 8;
@@ -268,7 +264,7 @@ void erode(const ErodeOptions& options) {
     render::Request request = request_of(options, extent);
     const Map map = map_of(options, open, format, heights, extent,
                            std::get<double>(*render::parameter("gully_frequency").get(request)));
-    if (!is_given(options, "strength"))
+    if (!is_given(options.parameters, "strength"))
         limit_strength(request, map);
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};

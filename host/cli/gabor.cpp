@@ -6,7 +6,8 @@ namespace gabor::cli {
 Program gabor_program() {
     return {"gabor",
             "Renders Gabor noise and measures it.",
-            {add_render_command, add_erode_command, add_join_command, add_stats_command,
+            {add_render_command, add_maps_command, add_texture_command, add_erode_command, add_join_command,
+             add_stats_command,
 #if GABOR_FIT
              add_fit_command,
 #endif
@@ -14,7 +15,7 @@ Program gabor_program() {
             R"(
 Examples:
   gabor render --frequency 4 --orientation 45 -o noise.png
-  gabor render --material wood --maps wood
+  gabor maps --material wood -o wood
   gabor render --preset storm --png storm.png
   gabor erode heights.png -o eroded.png
 

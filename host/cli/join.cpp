@@ -1,7 +1,8 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
-#include "render/texture.hpp"
+#include "render/output/texture.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -63,7 +64,7 @@ void add_join_command(CLI::App& app) {
         ->required();
     add_option(*command, "-o,--output", options->output, "FILE", "The EXR of the whole picture")->required();
     command->add_flag("--texture", options->texture,
-                      "Assemble a texture from levels rendered by `gabor render --level`");
+                      "Assemble a texture from levels rendered by `gabor texture --level`");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     command->callback([options] { join(*options); });
 }

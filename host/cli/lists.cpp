@@ -1,8 +1,9 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "names.hpp"
 #include "noise/recipe.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 
-#include "render/load.hpp"
-#include "render/material.hpp"
+#include "render/request/load.hpp"
+#include "render/request/material.hpp"
 
 #include <fmt/ranges.h>
 
@@ -11,11 +11,12 @@ namespace gabor::cli {
 
 namespace {
 
-using Kind = render::Parameter::Kind;
+using Type = render::Parameter::Type;
 
 // Returns the value in `request`, or the values in views or in a material that have this parameter.
 std::string default_text(const render::Parameter& parameter, const render::Request& request) {
-    std::vector<render::Request> others{request, {.material = std::string(render::materials.front())}};
+    std::vector<render::Request> others{request, {}};
+    render::set(others.back(), "material", std::string(render::materials.front()));
     for (const std::string_view view : render::parameter("view").choices)
         render::set(others.emplace_back(), "view", std::string(view));
     others.resize(parameter.get(request) ? 1 : others.size());
@@ -35,11 +36,11 @@ std::string help_of(const render::Parameter& p, const render::Request& defaults)
     std::string text(p.help);
     if (!p.scope.holds(defaults))
         text += fmt::format(" (with {})", p.scope.described);
-    if (p.kind == Kind::lobes)
+    if (p.type == Type::lobes)
         return fmt::format("{}: a JSON file with {}", text, render::accepted(p));
-    if (p.kind == Kind::choice && text.find('\n') != text.npos) // the help has the choices
+    if (p.type == Type::choice && text.find('\n') != text.npos) // the help has the choices
         return fmt::format("{} [{}]", text, default_text(p, defaults));
-    return p.kind == Kind::flag || p.kind == Kind::text
+    return p.type == Type::flag || p.type == Type::text
                ? text
                : fmt::format("{}: {} [{}]", text, render::accepted(p), default_text(p, defaults));
 }
@@ -65,14 +66,14 @@ render::Elevation parse_elevation(std::string_view text) {
 
 void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
                    const render::Request& defaults) {
-    // In the order of Kind.
+    // In the order of Type.
     constexpr std::array types{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "FILE", "COLOUR"};
     const std::string name = render::option_name(parameter);
     CLI::Option* option =
-        parameter.kind == Kind::flag
+        parameter.type == Type::flag
             ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-            : command.add_option(name)->type_name(types.at(static_cast<std::size_t>(parameter.kind)));
+            : command.add_option(name)->type_name(types.at(static_cast<std::size_t>(parameter.type)));
     options.emplace_back(&parameter, option->description(help_of(parameter, defaults)));
 }
 
@@ -84,10 +85,15 @@ render::Values given_values(const ParameterOptions& options) {
         const render::Parameter& p = *parameter;
         const auto text = option->as<std::string>();
         values.emplace_back(&p, with_prefix(render::option_name(p) + ' ', [&] {
-            return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
+            return p.type == Type::lobes ? render::load_lobes(text) : render::read(p, text);
         }));
     }
     return values;
+}
+
+bool is_given(const ParameterOptions& options, std::string_view name) {
+    return std::ranges::any_of(
+        options, [&](const auto& each) { return each.first->name == name && each.second->count() > 0; });
 }
 
 void refuse(std::string_view option, std::string_view text, std::string_view accepted) {

@@ -1,8 +1,10 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
-#include "render/parameters.hpp"
+#include "render/plan/variance.hpp"
+#include "render/request/parameters.hpp"
 #include "statistics/picture.hpp"
 
 #include <nlohmann/json.hpp>

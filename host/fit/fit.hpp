@@ -3,7 +3,7 @@
 #include "fit/exemplar.hpp"
 #include "fit/levenberg.hpp"
 #include "noise/colour.hpp"
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 
 #include <string>
 #include <vector>

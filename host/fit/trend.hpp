@@ -7,9 +7,8 @@
 
 namespace gabor::fit {
 
-/// Uneven light: in each channel, the quadratic polynomial of x and y with the least squared distance from
-/// the picture. If the light also changes the contrast, deviations are proportional to (light / mean
-/// light)^contrast.
+/// Uneven light: in each channel, the least-squares fit of a quadratic polynomial of x and y to the picture.
+/// If the light also changes the contrast, deviations are proportional to (light / mean light)^contrast.
 struct Trend {
     int width = 0;
     int height = 0;

@@ -1,6 +1,10 @@
 #include "viewer/app.hpp"
 
 #include "viewer/document_json.hpp"
+#include "viewer/file_dialog.hpp"
+#include "viewer/input.hpp"
+#include "viewer/overlays.hpp"
+#include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 
 #include "error.hpp"
@@ -311,9 +315,9 @@ bool App::frame(const FrameHook& hook) {
         return false;
     const ImGuiIO& io = ImGui::GetIO();
     render::Request& request = session_.document().request;
-    if (session_.playing && render::has_sea(request)) {
+    if (session_.playing && request.kind == render::Kind::sea) {
         time_of(request) += double{io.DeltaTime};
-    } else if (session_.playing && !render::has_material(request)) {
+    } else if (session_.playing && request.kind == render::Kind::noise) {
         request.evolution += double{io.DeltaTime} / double{session_.period};
         request.evolution -= std::floor(request.evolution);
     }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "viewer/gallery.hpp"
 #include "viewer/gui.hpp"
 #include "viewer/painter.hpp"
-#include "viewer/panels.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
 #include "viewer/target.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 #include "viewer/drawing.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "viewer/display.hpp"
 
 #include "noise/spectrum.hpp"
-#include "render/file.hpp"
-#include "render/renderer.hpp"
+#include "render/output/file.hpp"
+#include "render/output/renderer.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ std::string_view companion(Output output) {
 
 DisplayConstants display_constants(const Document& document, std::span<const std::string> channels,
                                    bool coarse, bool tiles, bool unlit) {
-    const bool material = render::has_material(document.request);
+    const bool material = render::is_surface(document.request.kind);
     const int beside = render::channel_index(channels, material ? "slope.x" : companion(document.output));
     // Without a filter, all of the variance is left.
     const bool there = beside >= 0 || document.output == Output::variance;
@@ -89,7 +89,7 @@ passes::DisplayPush display_push(const Document& document, double stride, double
     push.lamp = {static_cast<float>(right), static_cast<float>(down)};
     push.deviation = static_cast<float>(slope_deviation(document.request));
     push.spacing = static_cast<float>(stride / (document.request.scale * zoom));
-    if (render::has_terrain(document.request)) {
+    if (document.request.kind == render::Kind::terrain) {
         const auto unit = static_cast<float>(render::terrain_unit(document.request));
         push.spacing *= unit;
         push.contrast *= 10 * unit; // mountains are ten times as high as the relief of materials
@@ -125,10 +125,10 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
     // Outside a body, the coverage is 0; in the sky, all channels are 0.
     const auto covered = std::ranges::find(channels, "A") - channels.begin();
     const auto first = static_cast<std::size_t>(covered < std::ssize(values) ? covered : 0);
-    if (!render::is_flat(request.view) && values[first] == 0)
+    if (!request.view.is_flat() && values[first] == 0)
         return {};
     std::string text;
-    if (render::is_flat(request.view)) {
+    if (request.view.is_flat()) {
         const double scale = request.scale * document.camera.zoom;
         const auto place = [&](const Coordinate& middle, double from) {
             return static_cast<double>(middle.whole) + middle.part + from / scale;
@@ -138,7 +138,7 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
     }
     std::size_t i = 0;
     if (channels.front() == "R") {
-        const bool linear = render::has_material(request);
+        const bool linear = render::is_surface(request.kind);
         std::array<float, 3> shown{};
         for (; i < shown.size(); ++i)
             shown[i] = linear ? render::srgb(values[i]) : values[i];
@@ -152,12 +152,12 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
 }
 
 bool shows_plainly(const Document& document) {
-    if (render::has_material(document.request))
+    if (render::is_surface(document.request.kind))
         return document.look == Look::lit;
-    if (document.request.colour && !render::in_space(document.request))
+    if (document.request.colour && !document.request.view.in_space())
         return true;
     return document.output == Output::value && document.colours == 0 &&
-           document.contrast == Document().contrast && !render::in_space(document.request);
+           document.contrast == Document().contrast && !document.request.view.in_space();
 }
 
 FileColours::FileColours(const vulkan::Device& device, const Document& document,

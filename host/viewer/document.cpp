@@ -1,6 +1,6 @@
 #include "viewer/document.hpp"
 
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 #include "viewer/document_json.hpp"
 
 #include <fmt/format.h>
@@ -12,12 +12,14 @@ namespace gabor::viewer {
 
 namespace {
 
+using render::Kind;
+
 constexpr std::size_t most_steps = 1000;
 
 // The document without its viewpoint.
 Document without_viewpoint(const Document& document) {
     Document content = content_of(document);
-    reset_orbit(content.request.view);
+    reset_orbit(content.request);
     return content;
 }
 
@@ -30,36 +32,24 @@ std::string hex(const std::array<float, 3>& colour) {
     return text;
 }
 
-void reset_orbit(render::View& view) {
-    if (auto* body = std::get_if<render::Body>(&view))
-        *body = {body->shape, body->solid};
-    if (auto* terrain = std::get_if<render::Terrain>(&view))
-        *terrain = {
-            .perspective = terrain->perspective, .extent = terrain->extent, .tileable = terrain->tileable};
-    if (auto* sea = std::get_if<render::Sea>(&view))
-        *sea = {.wind = sea->wind,
-                .fetch = sea->fetch,
-                .swell_height = sea->swell_height,
-                .swell_period = sea->swell_period,
-                .swell_direction = sea->swell_direction,
-                .loop_seconds = sea->loop_seconds,
-                .seconds = sea->seconds};
+void reset_orbit(render::Request& request) {
+    request.view.orbit = render::default_orbit(request.kind);
 }
 
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
     render::Request& request = document.request;
     if (name == "paint")
         render::load_paint(std::get<std::string>(value)); // throws if the file is missing
-    const bool was_noise = !render::has_material(request), was_terrain = render::has_terrain(request);
+    const bool was_noise = !render::is_surface(request.kind), was_terrain = request.kind == Kind::terrain;
     render::set(request, name, value);
-    const bool terrain = render::has_terrain(request);
+    const bool terrain = request.kind == Kind::terrain;
     // The shorter side of the picture shows four units of a material, or eight of terrain.
-    if ((name == "material" && was_noise != !render::has_material(request)) || terrain != was_terrain)
+    if ((name == "material" && was_noise != !render::is_surface(request.kind)) || terrain != was_terrain)
         request.scale = terrain || (was_noise && !was_terrain)
                             ? std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0))
                             : render::Request().scale;
-    if (name == "view" && !terrain && !render::has_sea(request)) {
-        request.filter = !render::is_flat(request.view) && render::can_filter(request);
+    if (name == "view" && render::is_pattern(request.kind)) {
+        request.filter = !request.view.is_flat() && render::can_filter(request);
         render::drop_conflicting(request, "filter");
     }
     render::drop_conflicting(request, name);
@@ -82,8 +72,8 @@ void resize(Document& document, double factor) {
 }
 
 render::Request with_output(render::Request request, Output output) {
-    if (render::has_material(request))
-        return request; // materials always have all channels
+    if (render::is_surface(request.kind))
+        return request; // surfaces always have all channels
     if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;
         render::drop_conflicting(request, "gradient");
@@ -105,8 +95,7 @@ Document document_of(const render::Request& request) {
 }
 
 double& time_of(render::Request& request) {
-    auto* sea = std::get_if<render::Sea>(&request.view);
-    return sea ? sea->seconds : request.evolution;
+    return request.kind == Kind::sea ? request.sea.seconds : request.evolution;
 }
 
 Document content_of(Document document) {
@@ -159,13 +148,12 @@ void History::go_to(std::size_t step) {
 bool has_effect(const Document& document, std::string_view control) {
     const render::Request& request = document.request;
     const Output output = document.output;
-    const auto* plane = std::get_if<render::Plane>(&request.view);
     if (control == "tiles")
-        return plane && plane->tileable;
+        return render::is_pattern(request.kind) && request.view.tileable;
     if (control == "animation")
-        return render::has_sea(request) || !render::has_material(request);
+        return request.kind == Kind::sea || request.kind == Kind::noise;
     if (control == "profile" || control == "colours" || control == "contrast") {
-        if (render::has_material(request))
+        if (render::is_surface(request.kind))
             return control == "contrast" && document.look == Look::height;
         const bool stripes = output == Output::phasor || output == Output::lit_phasor;
         return control == "profile"                        ? stripes
@@ -175,7 +163,7 @@ bool has_effect(const Document& document, std::string_view control) {
                    : output != Output::phase && output != Output::variance && output != Output::phasor;
     }
     // These are kept for later, although the picture does not show them.
-    if (control == "orientation" && render::in_space(request) && request.lobes.size() == 1 &&
+    if (control == "orientation" && request.view.in_space() && request.lobes.size() == 1 &&
         render::is_isotropic(request.lobes.front()))
         return false;
     if ((control == "lobes" && !request.paint.empty()) ||
@@ -188,14 +176,14 @@ bool has_effect(const Document& document, std::string_view control) {
 }
 
 bool is_lit(const Document& document) {
-    return render::has_material(document.request)
+    return render::is_surface(document.request.kind)
                ? document.look == Look::lit
                : document.output == Output::lit || document.output == Output::lit_phasor;
 }
 
 bool shows_normals(const Document& document) {
-    return render::has_material(document.request) ? document.look == Look::normal
-                                                  : document.output == Output::gradient;
+    return render::is_surface(document.request.kind) ? document.look == Look::normal
+                                                     : document.output == Output::gradient;
 }
 
 } // namespace gabor::viewer

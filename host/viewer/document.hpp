@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/camera.hpp"
-#include "render/parameters.hpp"
+#include "render/plan/camera.hpp"
+#include "render/request/parameters.hpp"
 
 #include <array>
 #include <filesystem>
@@ -61,7 +61,7 @@ double& time_of(render::Request& request);
 Document content_of(Document document);
 
 /// Resets the camera around a body or a landscape.
-void reset_orbit(render::View& view);
+void reset_orbit(render::Request& request);
 
 /// Sets a parameter and resets those that conflict with it. A new view starts with its default camera, and
 /// with the filter on if it is in perspective. Throws RequestError for a value that is not accepted.

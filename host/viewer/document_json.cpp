@@ -108,7 +108,7 @@ std::string to_json(const Document& document) {
     view["camera"] = json_of(document.camera);
     if (document.ramp != Document().ramp)
         view["ramp"] = json_of(document.ramp);
-    if (!render::has_material(document.request)) { // a material's request contains both
+    if (!render::is_surface(document.request.kind)) { // a material's request contains both
         view["light"] = {document.request.light_azimuth, document.request.light_elevation};
         view["environment"] = render::environments.at(static_cast<std::size_t>(document.request.environment));
     }

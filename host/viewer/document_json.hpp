@@ -24,8 +24,7 @@ inline constexpr std::array<std::string_view, 6> look_names{"lit",    "colour", 
                                                             "normal", "roughness", "metalness"};
 /// The names of the looks that the request's material or terrain has.
 inline std::span<const std::string_view> looks(const render::Request& request) {
-    return std::span(look_names)
-        .first(render::has_terrain(request) || render::has_sea(request) ? 4 : look_names.size());
+    return std::span(look_names).first(render::is_pattern(request.kind) ? look_names.size() : 4);
 }
 inline constexpr std::array<std::string_view, 6> colour_names{"grey",  "viridis", "cool to warm",
                                                               "ember", "sea",     "own"};

@@ -24,8 +24,8 @@ double cycles_per_pixel(const render::Request& request, const render::Paint& pai
 Drawing drawing_of(const Document& document) {
     render::Request request = document.request;
     request.gradient = request.phasor = false;
-    return {with_output(request, document.output), is_lit(document) && !render::has_material(request) &&
-                                                       std::holds_alternative<render::Body>(request.view)};
+    return {with_output(request, document.output),
+            is_lit(document) && !render::is_surface(request.kind) && request.view.is_body()};
 }
 
 render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Extent extent, int stride) {
@@ -46,7 +46,7 @@ int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double z
     const bool blocks = uses_blocks(request, viewport_of(drawing, {{}, {}, zoom}, {1, 1}));
     int stride = blocks ? coarsest_baked : coarsest;
     const bool fades = request.paint.empty() || request.filter;
-    if (render::has_material(request) || !render::is_flat(request.view) || (fades && !request.quadrature))
+    if (render::is_surface(request.kind) || !request.view.is_flat() || (fades && !request.quadrature))
         return stride;
     const double pixels = zoom / cycles_per_pixel(request, paint); // pixels per shortest wave
     while (stride > 1 && pixels < least_per_wave * stride)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
 #include "viewer/document.hpp"
 #include "viewer/window.hpp"
 

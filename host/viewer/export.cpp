@@ -3,8 +3,8 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "image/png.hpp"
-#include "render/parameters.hpp"
-#include "render/texture.hpp"
+#include "render/output/texture.hpp"
+#include "render/request/parameters.hpp"
 #include "seconds.hpp"
 #include "viewer/display.hpp"
 #include "viewer/drawing.hpp"
@@ -58,7 +58,7 @@ std::string path_from_home(const std::filesystem::path& path) {
 
 bool can_export_maps(const render::Request& request) {
     return render::has_maps(render::from_above(request)) ||
-           std::holds_alternative<render::Plane>(request.view);
+           (!render::is_surface(request.kind) && request.view.projection == render::Projection::flat);
 }
 
 ExportTarget ExportTarget::of(const Document& document) const {
@@ -68,7 +68,7 @@ ExportTarget ExportTarget::of(const Document& document) const {
                              (document.photograph.empty() ? "" : "-noise"); // must not replace the photograph
     target.path = path.empty() ? name + ".exr" : path;
     target.folder = folder.empty() ? name : folder;
-    target.of_noise = !render::has_material(request);
+    target.of_noise = !render::is_surface(request.kind);
     target.coloured = request.colour.has_value();
     target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
     if (target.as == ExportAs::maps && !can_export_maps(request))
@@ -115,8 +115,7 @@ render::Request exported(const Document& document, const ExportTarget& target) {
         if (target.tileable)
             render::make_tile(request);
     }
-    request.filter |= target.as == ExportAs::texture ||
-                      (maps && render::has_material(request) && !render::has_terrain(request));
+    request.filter |= target.as == ExportAs::texture || (maps && request.kind == render::Kind::material);
     return request;
 }
 
@@ -190,7 +189,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         render::render_maps(
             device, request, target.folder,
             {.directx = target.directx,
-             .metres = render::has_terrain(request) ? std::nullopt : std::optional(target.metres)},
+             .metres = request.kind == render::Kind::terrain ? std::nullopt : std::optional(target.metres)},
             advance);
     } else if (target.as == ExportAs::texture) {
         render::render_texture(device, request, whole(request), *all.front().exr, target.half, advance);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/file.hpp"
-#include "render/maps.hpp"
+#include "render/output/file.hpp"
+#include "render/output/maps.hpp"
 #include "viewer/background.hpp"
 #include "viewer/document.hpp"
 

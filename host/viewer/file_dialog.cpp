@@ -1,6 +1,5 @@
 #include "viewer/file_dialog.hpp"
 
-#include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 #include "viewer/session.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/request.hpp"
+#include "render/request/request.hpp"
 #include "viewer/background.hpp"
 #include "viewer/window.hpp"
 

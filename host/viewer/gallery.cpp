@@ -1,8 +1,9 @@
-#include "viewer/panels.hpp"
+#include "viewer/gallery.hpp"
 
 #include "image/picture.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 #include "viewer/embedded.hpp"
+#include "viewer/widgets.hpp"
 
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
@@ -33,7 +34,7 @@ std::vector<Group> grouped_presets() {
     std::vector<std::string> kinds;
     for (const std::string_view name : render::preset_names()) {
         const render::Request request = render::preset(name);
-        const char* const kind = request.material == render::no_material ? "view" : "material";
+        const char* const kind = request.kind != render::Kind::material ? "view" : "material";
         kinds.push_back(std::get<std::string>(*render::parameter(kind).get(request)));
     }
     for (Group& group : groups)

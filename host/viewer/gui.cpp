@@ -143,7 +143,7 @@ void set_style(float density) {
     style.ScaleAllSizes(density);
 }
 
-// The path of a sans-serif font of the desktop; empty if there is none.
+// The path of the desktop's sans-serif font; empty if there is none.
 std::string sans_font() {
     for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",

@@ -1,6 +1,8 @@
+#include "viewer/input.hpp"
+
 #include "viewer/document_json.hpp"
-#include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/widgets.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -27,31 +29,15 @@ double within(std::string_view parameter, double value) {
     return std::clamp(value, range.low, range.high);
 }
 
-struct Orbit {
-    double* yaw;
-    double* pitch;
-    double* zoom;
-};
-
-// The camera around a body or a landscape, if the view has one.
-std::optional<Orbit> orbit(render::View& view) {
-    if (auto* body = std::get_if<render::Body>(&view))
-        return Orbit{&body->yaw, &body->pitch, &body->zoom};
-    if (auto* terrain = std::get_if<render::Terrain>(&view); terrain && terrain->perspective)
-        return Orbit{&terrain->yaw, &terrain->pitch, &terrain->zoom};
-    if (auto* sea = std::get_if<render::Sea>(&view))
-        return Orbit{&sea->yaw, &sea->pitch, &sea->zoom};
-    return {};
-}
-
 // Zooms about a point, given in pixels from the middle of the view.
 void zoom(Session& session, double factor, double x, double y) {
     if (session.tiling)
         return notify(session, "Tiles set their own zoom");
     Document& document = session.document();
     render::Request& request = document.request;
-    if (const std::optional<Orbit> around = orbit(request.view)) {
-        *around->zoom = within("zoom", *around->zoom * factor);
+    if (request.view.has_orbit()) {
+        double& zoom = request.view.orbit.zoom;
+        zoom = within("zoom", zoom * factor);
         return;
     }
     // Only the view zooms: the picture and its exports keep their scale.
@@ -64,11 +50,12 @@ void zoom(Session& session, double factor, double x, double y) {
 // Moves a plane with the pointer, or turns a body or a landscape.
 void drag(Session& session, double x, double y) {
     Document& document = session.document();
-    if (const std::optional<Orbit> around = orbit(document.request.view)) {
-        const bool ground = render::has_terrain(document.request) || render::has_sea(document.request);
-        const double degrees_per_pixel = 0.4 / ((ground ? 1 : *around->zoom) * double{pixels_per_unit()});
-        *around->yaw = std::remainder(*around->yaw + (ground ? 1 : -1) * degrees_per_pixel * x, 360.0);
-        *around->pitch = std::clamp(*around->pitch + degrees_per_pixel * y, ground ? 0.0 : -89.0, 89.0);
+    render::View& view = document.request.view;
+    if (view.has_orbit()) {
+        const bool body = view.is_body();
+        const double degrees_per_pixel = 0.4 / ((body ? view.orbit.zoom : 1) * double{pixels_per_unit()});
+        view.orbit.yaw = std::remainder(view.orbit.yaw + (body ? -1 : 1) * degrees_per_pixel * x, 360.0);
+        view.orbit.pitch = std::clamp(view.orbit.pitch + degrees_per_pixel * y, body ? -89.0 : 0.0, 89.0);
     } else {
         const Camera& camera = session.tiling ? session.tiling->camera : document.camera;
         const double scale = document.request.scale * camera.zoom;
@@ -152,7 +139,7 @@ constexpr std::array shortcuts{
 // Handles keys that repeat while held, and the digit keys.
 void held_keys(Session& session) {
     Document& document = session.document();
-    const bool material = render::has_material(document.request);
+    const bool material = render::is_surface(document.request.kind);
     const auto shown = static_cast<int>(material ? looks(document.request).size() : output_names.size());
     for (int i = 0; i < shown; ++i)
         if (pressed(GLFW_KEY_1 + i)) {

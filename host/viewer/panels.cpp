@@ -1,16 +1,16 @@
 #include "viewer/panels.hpp"
 
-#include "image/exr.hpp"
-#include "render/file.hpp"
-#include "render/load.hpp"
+#include "render/output/file.hpp"
+#include "render/request/load.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/ramp_editor.hpp"
+#include "viewer/spectrum_panel.hpp"
+#include "viewer/widgets.hpp"
 
 #include "viewer/display_interface.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -18,8 +18,6 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
-#include <ranges>
 #include <utility>
 
 namespace gabor::viewer {
@@ -37,34 +35,34 @@ std::string help_of(const render::Parameter& parameter) {
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
 
-// Draws the control that suits a parameter's kind, and returns the value if it was changed.
+// Draws the control that suits a parameter's type, and returns the value if it was changed.
 std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
                                   const render::Request& request) {
-    using Kind = render::Parameter::Kind;
+    using Type = render::Parameter::Type;
     const std::string label = label_of(parameter.name);
-    switch (parameter.kind) {
-    case Kind::flag: {
+    switch (parameter.type) {
+    case Type::flag: {
         bool on = std::get<bool>(value);
         return ImGui::Checkbox(label.c_str(), &on) ? std::optional<render::Value>(on) : std::nullopt;
     }
-    case Kind::integer: {
+    case Type::integer: {
         auto number = static_cast<std::uint32_t>(std::get<double>(value));
         const std::uint32_t step = 1;
         if (!ImGui::InputScalar(label.c_str(), ImGuiDataType_U32, &number, &step))
             return {};
         return std::clamp(static_cast<double>(number), parameter.range.low, parameter.range.high);
     }
-    case Kind::number:
-    case Kind::angle: {
+    case Type::number:
+    case Type::angle: {
         double number = std::get<double>(value);
-        if (parameter.kind == Kind::angle && parameter.slider.high == 180) // the slider covers a full circle
+        if (parameter.type == Type::angle && parameter.slider.high == 180) // the slider covers a full circle
             number = std::remainder(number, 360);
         if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
                            std::get<double>(*render::default_of(parameter, request))))
             return {};
         return number;
     }
-    case Kind::choice: {
+    case Type::choice: {
         std::optional<render::Value> chosen;
         const std::string& now = std::get<std::string>(value);
         if (ImGui::BeginCombo(label.c_str(), now.c_str())) {
@@ -78,13 +76,13 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         }
         return chosen;
     }
-    case Kind::text: {
+    case Type::text: {
         std::string text = std::get<std::string>(value);
         if (ImGui::InputText(label.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue))
             return text;
         return {};
     }
-    case Kind::colour: { // shown as sRGB, like all colours
+    case Type::colour: { // shown as sRGB, like all colours
         std::array<float, 3> shown{};
         const auto& colour = std::get<std::array<double, 3>>(value);
         std::ranges::transform(colour, shown.begin(),
@@ -93,7 +91,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
             return {};
         return render::read(parameter, hex(shown));
     }
-    case Kind::lobes: // spectrum_panel edits these
+    case Type::lobes: // spectrum_panel edits these
         break;
     }
     return {};
@@ -179,43 +177,6 @@ constexpr const char* export_tips[]{
     "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for a "
     "photograph's noise, only the base colour"};
 
-} // namespace
-
-std::string label_of(std::string_view name) {
-    if (name == "scale")
-        return "pattern size";
-    std::string label(name.substr(name.find('.') + 1)); // the name may be MATERIAL.PARAMETER
-    std::ranges::replace(label, '_', ' ');
-    return label;
-}
-
-bool choose_number(const char* label, std::size_t& number, std::span<const std::string_view> names,
-                   std::span<const char* const> tips) {
-    const std::size_t before = number;
-    if (ImGui::BeginCombo(label, std::string(names[number]).c_str())) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            if (ImGui::Selectable(std::string(names[i]).c_str(), i == before))
-                number = i;
-            if (i < tips.size())
-                tooltip(tips[i]);
-        }
-        ImGui::EndCombo();
-    }
-    if (before < tips.size())
-        tooltip(tips[before]);
-    return number != before;
-}
-
-void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-    const float pad = ImGui::GetStyle().FramePadding.x;
-    draw.AddRectFilled({at.x, at.y}, {at.x + size.x + 2 * pad, at.y + size.y + pad},
-                       IM_COL32(12, 13, 15, 200), ImGui::GetStyle().FrameRounding);
-    draw.AddText(nullptr, 0, {at.x + pad, at.y + pad / 2}, colour, text.c_str(), nullptr, wrap);
-}
-
-namespace {
-
 // Draws the controls of the lobes, unless a paint replaces them, and of the paint.
 void waves_panel(Session& session) {
     if (has_effect(session.document(), "lobes"))
@@ -260,7 +221,7 @@ void animation_panel(Session& session) {
 
 void view_panel(Session& session) {
     Document& document = session.document();
-    if (render::has_material(document.request))
+    if (render::is_surface(document.request.kind))
         choose("show", document.look, looks(document.request), look_tips);
     else
         choose("show", document.output, output_names, output_tips);
@@ -288,7 +249,7 @@ void view_panel(Session& session) {
 
 void light_panel(Session& session) {
     render::Request& request = session.document().request;
-    if (!render::has_terrain(request) && !render::has_sea(request))
+    if (render::is_pattern(request.kind))
         choose("environment", request.environment, render::environments, environment_tips);
     for (auto [name, angle] : {std::pair("light_azimuth", &render::Request::light_azimuth),
                                std::pair("light_elevation", &render::Request::light_elevation)}) {
@@ -362,8 +323,9 @@ void export_panel(Session& session) {
         slider("frames", frames, 2, 240, "%.0f");
         target.frames = std::clamp(static_cast<int>(frames), 1, render::most_frames);
     }
-    if (as == ExportAs::maps && render::has_material(request)) {
-        if (!render::has_terrain(request)) {
+    const bool surface = render::is_surface(request.kind);
+    if (as == ExportAs::maps && surface) {
+        if (request.kind == render::Kind::material) {
             ImGui::InputDouble("metres", &target.metres, 0, 0, "%g");
             target.metres = std::clamp(target.metres, 1e-6, 1e9);
             tooltip("The width of the maps in metres, which also scales their heights");
@@ -372,7 +334,7 @@ void export_panel(Session& session) {
         tooltip("Also write normal_directx.png, whose green points down");
     }
     if (as == ExportAs::maps) {
-        if (render::has_material(request))
+        if (surface)
             ImGui::SameLine();
         ImGui::Checkbox("tileable##maps", &target.tileable);
         tooltip("Opposite edges match");
@@ -435,7 +397,7 @@ void start_buttons(Session& session) {
 void side_panel(Session& session) {
     start_buttons(session);
     const render::Request& request = session.document().request;
-    const bool noise = !render::has_material(request), material = request.material != render::no_material;
+    const auto shows = [kind = request.kind](render::Kind other) { return kind == other; };
     struct Section {
         const char* title;
         void (*panel)(Session&);
@@ -447,12 +409,12 @@ void side_panel(Session& session) {
                 [](Session& s) {
                     controls(s, {"material", "scale", "seed"});
                 },
-                true, noise},
-        Section{"Material", material_panel, true, material},
-        Section{"Terrain", terrain_panel, true, render::has_terrain(request)},
-        Section{"Ocean", ocean_panel, true, render::has_sea(request)},
+                true, shows(render::Kind::noise)},
+        Section{"Material", material_panel, true, shows(render::Kind::material)},
+        Section{"Terrain", terrain_panel, true, shows(render::Kind::terrain)},
+        Section{"Ocean", ocean_panel, true, shows(render::Kind::sea)},
         Section{"Photograph", photograph_panel, true, !session.fitter.path().empty()},
-        Section{"Spectrum", waves_panel, true, noise},
+        Section{"Spectrum", waves_panel, true, shows(render::Kind::noise)},
         Section{"View", view_panel, true},
         Section{"Light", light_panel, true, is_lit(session.document())},
         Section{"Animation", animation_panel, false, has_effect(session.document(), "animation")},
@@ -495,158 +457,6 @@ void unfold_button(Session& session) {
     if (ImGui::Button("Controls"))
         session.panels = true;
     ImGui::End();
-}
-
-void view_overlay(const Session& session) {
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    if (session.tiling)
-        label(draw, {margin, margin},
-              fmt::format("2 x 2 tiles at {:.0f} %", 100 * session.tiling->camera.zoom), text);
-    else if (const double zoom = session.history.now.camera.zoom; zoom != 1)
-        label(draw, {margin, margin}, fmt::format("view at {:.0f} %", 100 * zoom), text);
-}
-
-void reading_overlay(const Session& session, float width) {
-    if (session.reading.empty())
-        return;
-    const float margin = ImGui::GetStyle().WindowPadding.x; // below the label of a photograph's noise
-    label(*ImGui::GetBackgroundDrawList(),
-          {width - 9.5f * ImGui::GetFontSize(), 2 * margin + ImGui::GetFontSize()}, session.reading,
-          ImGui::GetColorU32(ImGuiCol_Text));
-}
-
-void message_overlay(const Session& session, float width, float height) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float left = style.WindowPadding.x;
-    const float wrap = width - 2 * (left + style.FramePadding.x);
-    float bottom = height - style.WindowPadding.y;
-    const auto say = [&](const std::string& what, ImU32 colour) {
-        bottom -= ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y + style.FramePadding.x;
-        label(*ImGui::GetForegroundDrawList(), {left, bottom}, what, colour, wrap);
-        bottom -= style.ItemSpacing.y;
-    };
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    if (const Message& message = session.message; ImGui::GetTime() < message.until)
-        say(message.text, message.error ? IM_COL32(255, 120, 100, 255) : text);
-    if (session.exporter.running())
-        say(fmt::format("exporting: {:.0f} %{}", 100 * session.exporter.progress(),
-                        session.closing == Closing::after_export ? ", then closing" : ""),
-            text);
-    if (session.fitter.running())
-        say(fmt::format("fitting a noise: {:.0f} %", 100 * session.fitter.progress()), text);
-}
-
-void question_window(Session& session) {
-    constexpr const char* title = "Please confirm";
-    if (session.question && !ImGui::IsPopupOpen(title))
-        ImGui::OpenPopup(title);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
-        return;
-    if (session.question) {
-        ImGui::TextUnformatted(session.question->text.c_str());
-        std::optional<std::size_t> chosen;
-        for (std::size_t i = 0; i < session.question->answers.size(); ++i) {
-            const Question::Answer& each = session.question->answers[i];
-            const std::string key = i == 0 ? "Enter" : std::string(1, static_cast<char>(each.key));
-            if (ImGui::Button(fmt::format("{} ({})", each.label, key).c_str()))
-                chosen = i;
-            ImGui::SameLine();
-        }
-        if (ImGui::Button("Cancel (Esc)"))
-            answer(session, {});
-        else if (chosen)
-            answer(session, chosen);
-    }
-    if (!session.question)
-        ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-}
-
-void progress_bar(double done, float width) {
-    ImGui::ProgressBar(static_cast<float>(done), {width, 0}, fmt::format("{:.0f} %", 100 * done).c_str());
-}
-
-bool reset_asked(const char* label) {
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID(label);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
-        storage.SetBool(id, true);
-    const bool asked = storage.GetBool(id);
-    if (asked && !ImGui::IsMouseDown(0))
-        storage.SetBool(id, false);
-    return asked;
-}
-
-bool slider(const char* label, float& value, float low, float high, const char* format, int flags) {
-    const float width = ImGui::CalcItemWidth();
-    const bool moved = ImGui::SliderFloat(label, &value, low, high, format, flags);
-    const float share = flags & ImGuiSliderFlags_Logarithmic
-                            ? std::log(std::max(value, low) / low) / std::log(high / low)
-                            : (value - low) / (high - low);
-    const ImVec2 left{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
-    ImGui::GetWindowDrawList()->AddRectFilled({left.x, left.y - ImGui::GetFontSize() / 5},
-                                              {left.x + width * std::clamp(share, 0.0f, 1.0f), left.y},
-                                              ImGui::GetColorU32(ImGuiCol_CheckMark));
-    return moved;
-}
-
-bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
-                   double by_default) {
-    auto shown = static_cast<float>(value);
-    const ImGuiSliderFlags logarithmic = usual.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
-    const bool moved = slider(label, shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
-                              "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
-    if (reset_asked(label)) {
-        const bool changed = value != by_default;
-        value = by_default;
-        return changed;
-    }
-    if (moved)
-        value = std::clamp(double{shown}, range.low, range.high);
-    return moved;
-}
-
-bool pressed(int key, bool repeat) {
-    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key), repeat);
-}
-
-bool key_went_down() {
-    return std::ranges::any_of(std::views::iota(GLFW_KEY_SPACE, GLFW_KEY_LAST + 1),
-                               [](int key) { return pressed(key); });
-}
-
-void tooltip(std::string_view text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
-        return;
-    constexpr double delay =
-        0.5; // seconds that the pointer must rest on an item; items are identified by their position
-    static ImVec2 place;
-    static int frame = 0;
-    static double since = 0;
-    const ImVec2 here = ImGui::GetItemRectMin();
-    if (here.x != place.x || here.y != place.y || ImGui::GetFrameCount() > frame + 1)
-        since = ImGui::GetTime();
-    place = here;
-    frame = ImGui::GetFrameCount();
-    if (key_went_down()) // a shortcut was used; the pointer must rest on another item
-        since = std::numeric_limits<double>::infinity();
-    if (ImGui::GetTime() - since < delay)
-        return;
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float right = ImGui::FindWindowByName("panels")->Pos.x - style.ItemSpacing.x;
-    const float wrap = std::min(24 * ImGui::GetFontSize(), right - 2 * style.WindowPadding.x);
-    const char* const end = text.data() + text.size();
-    const float height = ImGui::CalcTextSize(text.data(), end, false, wrap).y + 2 * style.WindowPadding.y;
-    ImGui::SetNextWindowPos({right, std::min(here.y, ImGui::GetIO().DisplaySize.y - height)},
-                            ImGuiCond_Always, {1, 0});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(style.WindowPadding.x + wrap);
-    ImGui::TextUnformatted(text.data(), end);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
 }
 
 } // namespace gabor::viewer

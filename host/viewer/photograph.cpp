@@ -1,7 +1,7 @@
 #include "viewer/photograph.hpp"
 
 #include "viewer/file_dialog.hpp"
-#include "viewer/panels.hpp"
+#include "viewer/widgets.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -78,8 +78,8 @@ bool shows_photograph(const Session& session) {
     const auto& photograph = session.fitter.photograph();
     return session.photograph_beside && photograph &&
            (document.photograph == photograph->path || session.fitter.running()) &&
-           !render::has_material(document.request) &&
-           std::holds_alternative<render::Plane>(document.request.view);
+           document.request.kind == render::Kind::noise &&
+           document.request.view.projection == render::Projection::flat;
 }
 
 std::optional<std::string> fitted_glsl(const Session& session) {

@@ -1,4 +1,6 @@
-#include "viewer/panels.hpp"
+#include "viewer/ramp_editor.hpp"
+
+#include "viewer/widgets.hpp"
 
 #include <imgui.h>
 

@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 #include "image/output_file.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -263,7 +263,7 @@ std::vector<std::string_view> file_names(const Session& session) {
 void reset_camera(Session& session) {
     Document& document = session.document();
     document.camera = render::default_camera(document.request);
-    reset_orbit(document.request.view);
+    reset_orbit(document.request);
 }
 
 } // namespace gabor::viewer

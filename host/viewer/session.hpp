@@ -104,7 +104,7 @@ void reset_camera(Session& session);
 void add_recent(Session& session, const std::string& path);
 /// A file's extension in lower case, with its dot.
 std::string lower_extension(const std::filesystem::path& path);
-/// Gives the question's answer with that index; without an index, cancels the question.
+/// Answers the question with the choice of that index, or cancels the question.
 void answer(Session& session, std::optional<std::size_t> number);
 /// Whether saving would write anything new.
 bool is_changed(const Session& session);

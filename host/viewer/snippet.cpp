@@ -31,8 +31,8 @@ struct View : Document {
     render::Plan plan;
     passes::DisplayPush display;
 
-    bool in_space() const { return render::in_space(request); }
-    bool shows_body() const { return std::holds_alternative<render::Body>(request.view); }
+    bool in_space() const { return request.view.in_space(); }
+    bool shows_body() const { return request.view.is_body(); }
     template <typename Push>
     Push push() const {
         return render::values_of<Push>(plan.steps.front().push).front();
@@ -52,8 +52,8 @@ std::string members_of(const View& view, render::Parameter::Group group, std::st
             const auto* number = std::get_if<double>(&value);
             text += glsl("    {}.{} = {};\n", of, p.name.substr(p.name.find('.') + 1),
                          !number ? literal(std::get<std::array<double, 3>>(value))
-                         : p.kind == render::Parameter::Kind::integer ? fmt::format("{}", *number)
-                         : p.kind == render::Parameter::Kind::angle   ? literal(noise::radians(*number))
+                         : p.type == render::Parameter::Type::integer ? fmt::format("{}", *number)
+                         : p.type == render::Parameter::Type::angle   ? literal(noise::radians(*number))
                                                                       : literal(*number));
         }
     return text;
@@ -89,7 +89,7 @@ std::string head(const View& view, std::string_view name) {
 
 // If there is a horizon, returns `sky` above it, and declares the offset `at` of a pixel from its middle.
 std::string below_horizon(const View& view, std::string_view sky) {
-    if (!render::in_perspective(view.request))
+    if (!view.request.view.has_horizon())
         return {};
     return glsl("    vec2 at = pixel - {};\n    if (at.y <= 0.0)\n        return {};\n",
                 std::array{view.extent.width / 2.0, render::sky_rows(view.extent.height)}, sky);
@@ -106,7 +106,7 @@ std::array<std::string, 2> term_of(const View& view, const passes::PixelsWave& w
     const passes::Line x = view.table<passes::Line>(0)[table], y = view.table<passes::Line>(1)[table];
     const float ratio = wave.radius.y / wave.radius.x;
     return {glsl("GaborPlace(ivec2({}, {}), {} + here.position * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
-                 render::in_perspective(view.request) ? wave.camera : passes::vec2{x.local, y.local},
+                 view.request.view.has_horizon() ? wave.camera : passes::vec2{x.local, y.local},
                  std::array{wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y}, wave.nodes,
                  wave.period.x, wave.period.y),
             glsl("gabor_field{{}}, gabor_{}({}, {}){}",
@@ -115,7 +115,7 @@ std::array<std::string, 2> term_of(const View& view, const passes::PixelsWave& w
 }
 
 std::array<std::string, 2> term_of(const View& view, const passes::SolidWave& wave) {
-    const bool surface = render::along_surface(view.request);
+    const bool surface = view.request.view.along_surface();
     const std::string direction = glsl("{}vec3({}, 0.0)", surface ? ", " : " * ", wave.direction);
     return {glsl("gabor_place_3d_at(p / {})", wave.radius),
             glsl("gabor_field_{}{}{{}}, {}{}{}", surface ? "surface" : "3d",
@@ -148,7 +148,7 @@ std::string terms(const View& view, std::size_t table) {
 // Declares what `pixel` shows of the plane, `here`, in kernel radii from the first pixel or the camera.
 std::string footprint_of(const View& view, std::string_view sky) {
     const auto push = view.push<passes::PixelsPush>();
-    return glsl(render::in_perspective(view.request)
+    return glsl(view.request.view.has_horizon()
                     ? "{}    Footprint here = footprint_below_horizon(at, {}, {});\n"
                     : "{0}    Footprint here = footprint_from_above((pixel - 0.5) * {1}, {1});\n",
                 below_horizon(view, sky), push.pixel, push.focal_length);
@@ -241,7 +241,7 @@ std::string material_function(const View& view) {
     const bool boards = request.boards;
     const std::string seed = fmt::format("{}u", request.seed);
     const std::string tile =
-        render::is_tiled(request)
+        request.view.tileable
             ? literal(std::array{request.width / request.scale, request.height / request.scale})
             : "vec2(0.0)";
     const std::string material =
@@ -301,7 +301,7 @@ std::string terrain_snippet(const View& view) {
 
 std::string sea_snippet(const View& view) {
     const auto push = view.push<passes::OceanPush>();
-    const auto& sea = std::get<render::Sea>(view.request.view);
+    const render::Sea& sea = view.request.sea;
     return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
            shaders({"seascape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
@@ -326,6 +326,20 @@ std::string noise_snippet(const View& view) {
     return text + of_noise(view) + of_colours(view);
 }
 
+std::string text_of(const View& view) {
+    switch (view.request.kind) {
+    case render::Kind::material:
+        return material_snippet(view);
+    case render::Kind::terrain:
+        return terrain_snippet(view);
+    case render::Kind::sea:
+        return sea_snippet(view);
+    case render::Kind::noise:
+        break;
+    }
+    return noise_snippet(view);
+}
+
 } // namespace
 
 std::string snippet(const Document& document, Extent extent) {
@@ -337,15 +351,11 @@ std::string snippet(const Document& document, Extent extent) {
     render::Viewport viewport = viewport_of(drawing, view.camera, extent);
     viewport.blocks = render::Blocks::none;
     view.plan = render::plan(drawing.request, viewport);
-    const auto text = render::has_terrain(view.request)    ? terrain_snippet
-                      : render::has_sea(view.request)      ? sea_snippet
-                      : render::has_material(view.request) ? material_snippet
-                                                           : noise_snippet;
     return glsl(
         "// What gabor-viewer showed in a view of {} x {} pixels. Put this after #version.\n{}"
         "// pixel: in that view, from the upper left corner, with y pointing down.\n"
         "// p: a point of the body, in kernel radii or units of the material. normal: the normal.\n{}",
-        extent.width, extent.height, painted ? "// The paint is left out.\n" : "", text(view));
+        extent.width, extent.height, painted ? "// The paint is left out.\n" : "", text_of(view));
 }
 
 } // namespace gabor::viewer

@@ -1,6 +1,7 @@
-#include "viewer/panels.hpp"
+#include "viewer/spectrum_panel.hpp"
 
 #include "noise/spectrum.hpp"
+#include "viewer/widgets.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>

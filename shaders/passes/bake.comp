@@ -20,7 +20,7 @@
 // A spectrum is a sum of such noises, which are added to the picture one after another. For a colour picture there are three
 // sums, its components, which passes/bake_colour.comp turns into colours.
 //
-// To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
+// To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/plan/bake.cpp does.
 
 #include "passes/bake_interface.h"
 #include "noise_channels.glsl"

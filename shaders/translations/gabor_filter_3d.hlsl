@@ -131,9 +131,8 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborI
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborImplFactors edge = GaborImplFactors_of((float3)(0.0), (float3)(0.0)); // unused
             GaborImplFactors sum =
-                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, edge);
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -291,11 +290,10 @@ struct GaborImplFilteredNode {
     float middle;
     float cosine;
     float sine;
-    float faded; // derivative of the logarithm of the fade
 };
 
-GaborImplFilteredNode GaborImplFilteredNode_of(float offset, float middle, float cosine, float sine, float faded) {
-    GaborImplFilteredNode made = {offset, middle, cosine, sine, faded};
+GaborImplFilteredNode GaborImplFilteredNode_of(float offset, float middle, float cosine, float sine) {
+    GaborImplFilteredNode made = {offset, middle, cosine, sine};
     return made;
 }
 
@@ -303,8 +301,7 @@ GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float vari
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     float t = clamp((1.0 - abs(node.offset)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
     float fall = fade * exp(-4.934802 * variance); // pi^2 / 2
-    float faded = -6.0 / width * t * (1.0 - t) * sign(node.offset) / max(fade, 1.0e-6);
-    return GaborImplFilteredNode_of(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
+    return GaborImplFilteredNode_of(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope);
 }
 
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
@@ -326,11 +323,10 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborImplFilteredNo
     float2 value =
         gabor_impl_product(float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     float3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
-    float3 faded = float3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
-    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz; // 2 pi
+    sum.gradient += slope * a.y + turned * a.x + 6.2831853 * value.x * wave.xyz; // 2 pi
     sum.quadrature += value.x;
-    sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
+    sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
 }
 
 void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborImplFilteredNode x, GaborImplFilteredNode y,

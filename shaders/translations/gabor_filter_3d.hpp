@@ -131,9 +131,8 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborImplFactors edge = GaborImplFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}; // unused
             GaborImplFactors sum =
-                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, edge);
+                gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution);
             GaborImplFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -286,15 +285,13 @@ struct GaborImplFilteredNode {
     float middle;
     float cosine;
     float sine;
-    float faded; // derivative of the logarithm of the fade
 };
 
 GABOR_INLINE GaborImplFilteredNode gabor_impl_filtered_node_3d(GaborImplNode node, float variance) {
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
     float t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(node.offset)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
     float fall = fade * gabor_cpp_exp(-4.934802f * variance); // pi^2 / 2
-    float faded = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(node.offset) / gabor_cpp_max(fade, 1.0e-6f);
-    return GaborImplFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope, faded};
+    return GaborImplFilteredNode{node.offset, 0.5f * fade, fall * (node.value - 0.5f), fall * node.slope};
 }
 
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
@@ -316,11 +313,10 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborImplFi
     gabor_vec2 value =
         gabor_impl_product(gabor_vec2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     gabor_vec3 slope = even * sine * real - i_slope * imaginary, turned = even * sine * imaginary + i_slope * real;
-    gabor_vec3 faded = gabor_vec3(x.faded, y.faded, z.faded);
     sum.noise += value.y;
-    sum.gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853f * value.x * wave.xyz(); // 2 pi
+    sum.gradient += slope * a.y + turned * a.x + 6.2831853f * value.x * wave.xyz(); // 2 pi
     sum.quadrature += value.x;
-    sum.quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853f * value.y * wave.xyz();
+    sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853f * value.y * wave.xyz();
 }
 
 GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborImplFilteredNode x, GaborImplFilteredNode y,

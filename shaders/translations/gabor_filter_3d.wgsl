@@ -108,8 +108,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3f, s: GaborImplMat
         var j = 0;
         loop {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            var edge = GaborImplFactors(vec3f(0.0), vec3f(0.0)); // unused
-            let sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution, &edge);
+            let sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.evolution);
             let window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
@@ -268,15 +267,13 @@ struct GaborImplFilteredNode {
     middle: f32,
     cosine: f32,
     sine: f32,
-    faded: f32,  // derivative of the logarithm of the fade
 }
 
 fn gabor_impl_filtered_node_3d(node: GaborImplNode, variance: f32) -> GaborImplFilteredNode {
     let width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     let t = clamp((1.0 - abs(node.offset)) / width, 0.0, 1.0); let fade = t * t * (3.0 - 2.0 * t);
     let fall = fade * exp(-4.934802 * variance); // pi^2 / 2
-    let faded = -6.0 / width * t * (1.0 - t) * sign(node.offset) / max(fade, 1.0e-6);
-    return GaborImplFilteredNode(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope, faded);
+    return GaborImplFilteredNode(node.offset, 0.5 * fade, fall * (node.value - 0.5), fall * node.slope);
 }
 
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With
@@ -297,11 +294,10 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborImp
     let real = h.yzx * h.zxy - i_h.yzx * i_h.zxy; let imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
     let value = gabor_impl_product(vec2f(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x), a);
     let slope = even * sine * real - i_slope * imaginary; let turned = even * sine * imaginary + i_slope * real;
-    let faded = vec3f(x.faded, y.faded, z.faded);
     (*sum).noise += value.y;
-    (*sum).gradient += slope * a.y + turned * a.x + value.y * faded + 6.2831853 * value.x * wave.xyz; // 2 pi
+    (*sum).gradient += slope * a.y + turned * a.x + 6.2831853 * value.x * wave.xyz; // 2 pi
     (*sum).quadrature += value.x;
-    (*sum).quadrature_gradient += slope * a.x - turned * a.y + value.x * faded - 6.2831853 * value.y * wave.xyz;
+    (*sum).quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
 }
 
 fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborImplFilteredNode,

@@ -101,13 +101,14 @@ GaborFractalNoise3d GaborFractalNoise3d_of(float noise, float3 gradient, float r
 // float gabor_fbm_3d(float3 p, float octaves, float gain, uint seed)
 // float gabor_billow(float2 p, float octaves, float gain, uint seed)
 // float gabor_ridged(float2 p, float octaves, float gain, uint seed)
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // GaborFractalNoise gabor_fractal_noise(GaborPlace place, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d(GaborPlace3d place, GaborFractal fractal, uint seed)
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // GaborFractalNoise gabor_fractal_noise_filtered(GaborPlace place, float2 dx, float2 dy, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, GaborFractal fractal,
@@ -160,8 +161,7 @@ GaborWarp3d GaborWarp3d_of(GaborPlace3d place, float3 dx, float3 dy, float3 dz, 
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of
@@ -251,8 +251,12 @@ void gabor_impl_add_smooth_row(inout float3 sum, GaborImplLine x, uint word, flo
     float4 a = float4(gabor_impl_amplitude_at(words.x, evolution).x, gabor_impl_amplitude_at(words.y, evolution).x,
                   gabor_impl_amplitude_at(words.z, evolution).x, 0.0);
     if (four) a.w = gabor_impl_amplitude_at(words.w, evolution).x;
-    float row = dot(x.even, a);
-    sum += float3(even.x * row, even.x * dot(x.even_slope, a), even.y * row);
+    float row = dot(x.even.xyz, a.xyz), side = dot(x.even_slope.xyz, a.xyz);
+    if (four) {
+        row += x.even.w * a.w;
+        side += x.even_slope.w * a.w;
+    }
+    sum += float3(even.x * row, even.x * side, even.y * row);
 }
 
 // A smooth noise and its gradient. `four` is whether the windows of four nodes reach a point, not three.
@@ -292,9 +296,11 @@ float3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, float evolution) 
 
 GaborImplLine gabor_impl_any_line(int cell, float local, int period, uint salt, float variance, int basis,
                                   bool filtered) {
-    if (basis == GABOR_PERLIN) return gabor_impl_perlin_line(cell, local, period, salt, variance);
-    if (filtered) return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
-    return gabor_impl_smooth_line(cell, local, period, salt);
+    GaborImplLine line_;
+    if (basis == GABOR_PERLIN) line_ = gabor_impl_perlin_line(cell, local, period, salt, variance);
+    else if (filtered) line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else line_ = gabor_impl_smooth_line(cell, local, period, salt);
+    return line_;
 }
 
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
@@ -326,10 +332,9 @@ float gabor_impl_visible(float kept) {
 
 // The mean of |n + sqrt(1 - kept) z| over a normal z of variance 1, and its derivative by n. 0.79788456 is sqrt(2/pi).
 float2 gabor_impl_mean_magnitude(float n, float kept) {
-    if (kept >= 1.0) return float2(abs(n), sign(n));
     float deviation = sqrt(max(1.0 - kept, 1.0e-8));
     float t = clamp(n / deviation, -9.0, 9.0), slope = 2.0 * gabor_uniform(t) - 1.0;
-    return float2(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope);
+    return kept < 1.0 ? float2(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope) : float2(abs(n), sign(n));
 }
 
 // The variance of |n| that is left where a filter leaves n the share `kept`: with correlation r, two normal values have
@@ -376,11 +381,14 @@ float gabor_impl_octave_nodes(float nodes, float scale) {
 void gabor_impl_next_octave(inout GaborImplOctave octave, GaborPlace place, float2 by, float lacunarity, int i) {
     float2 moved = float2(0.382, 0.731);
     if (place.period.x == 0 && place.period.y == 0) {
-        int2 m = (int2)(by * 4096.0), low = octave.cell & (int2)(4095);
-        uint2 high = (uint2)(octave.cell >> (int2)(12)), n = (uint2)(m);
-        int2 part = m.x * low + m.y * int2(-low.y, low.x);
-        octave.cell = (int2)(n.x * high + n.y * uint2(0u - high.y, high.x)) + (part >> (int2)(12));
-        octave.local = gabor_impl_product(by, octave.local) + (float2)(part & (int2)(4095)) / 4096.0 + moved;
+        octave.local = gabor_impl_product(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0) {
+            int2 m = (int2)(by * 4096.0), low = octave.cell & (int2)(4095);
+            uint2 high = (uint2)(octave.cell >> (int2)(12)), n = (uint2)(m);
+            int2 part = m.x * low + m.y * int2(-low.y, low.x);
+            octave.cell = (int2)(n.x * high + n.y * uint2(0u - high.y, high.x)) + (part >> (int2)(12));
+            octave.local += (float2)(part & (int2)(4095)) / 4096.0;
+        }
         octave.along_x = gabor_impl_product(by, octave.along_x);
         octave.along_y = gabor_impl_product(by, octave.along_y);
     } else {
@@ -434,7 +442,6 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -474,6 +481,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
             else if (!perlin) noise *= float3(1.0, (float2)(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;
@@ -568,11 +576,14 @@ float3 gabor_impl_step_3d(float3 by, float3 v) {
 void gabor_impl_next_octave_3d(inout GaborImplOctave3d octave, GaborPlace3d place, float3 by, float lacunarity, int i) {
     float3 moved = float3(0.382, 0.731, 0.545);
     if (place.period.x == 0 && place.period.y == 0 && place.period.z == 0) {
-        int3 m = (int3)(by * 4096.0), low = octave.cell & (int3)(4095);
-        uint3 high = (uint3)(octave.cell >> (int3)(12)), n = (uint3)(m);
-        int3 part = m.x * low + m.y * low.yzx + m.z * low.zxy;
-        octave.cell = (int3)(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> (int3)(12));
-        octave.local = gabor_impl_step_3d(by, octave.local) + (float3)(part & (int3)(4095)) / 4096.0 + moved;
+        octave.local = gabor_impl_step_3d(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0 || place.cell.z != 0) {
+            int3 m = (int3)(by * 4096.0), low = octave.cell & (int3)(4095);
+            uint3 high = (uint3)(octave.cell >> (int3)(12)), n = (uint3)(m);
+            int3 part = m.x * low + m.y * low.yzx + m.z * low.zxy;
+            octave.cell = (int3)(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> (int3)(12));
+            octave.local += (float3)(part & (int3)(4095)) / 4096.0;
+        }
         octave.along_x = gabor_impl_step_3d(by, octave.along_x);
         octave.along_y = gabor_impl_step_3d(by, octave.along_y);
         octave.along_z = gabor_impl_step_3d(by, octave.along_z);
@@ -687,7 +698,6 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -739,6 +749,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
                        * (rsqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;

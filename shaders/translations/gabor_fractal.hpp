@@ -90,13 +90,14 @@ struct GaborFractalNoise3d {
 // float gabor_fbm_3d(vec3 p, float octaves, float gain, uint seed)
 // float gabor_billow(vec2 p, float octaves, float gain, uint seed)
 // float gabor_ridged(vec2 p, float octaves, float gain, uint seed)
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // GaborFractalNoise gabor_fractal_noise(GaborPlace place, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d(GaborPlace3d place, GaborFractal fractal, uint seed)
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // GaborFractalNoise gabor_fractal_noise_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborFractal fractal, uint seed)
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, GaborFractal fractal,
@@ -139,8 +140,7 @@ struct GaborWarp3d {
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of
@@ -225,8 +225,12 @@ GABOR_INLINE void gabor_impl_add_smooth_row(gabor_vec3& sum, GaborImplLine x, st
     gabor_vec4 a = gabor_vec4(gabor_impl_amplitude_at(words.x, evolution).x, gabor_impl_amplitude_at(words.y, evolution).x,
                   gabor_impl_amplitude_at(words.z, evolution).x, 0.0f);
     if (four) a.w = gabor_impl_amplitude_at(words.w, evolution).x;
-    float row = gabor_cpp_dot(x.even, a);
-    sum += gabor_vec3(even.x * row, even.x * gabor_cpp_dot(x.even_slope, a), even.y * row);
+    float row = gabor_cpp_dot(x.even.xyz(), a.xyz()), side = gabor_cpp_dot(x.even_slope.xyz(), a.xyz());
+    if (four) {
+        row += x.even.w * a.w;
+        side += x.even_slope.w * a.w;
+    }
+    sum += gabor_vec3(even.x * row, even.x * side, even.y * row);
 }
 
 // A smooth noise and its gradient. `four` is whether the windows of four nodes reach a point, not three.
@@ -266,9 +270,11 @@ GABOR_INLINE gabor_vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, 
 
 GABOR_INLINE GaborImplLine gabor_impl_any_line(int cell, float local, int period, std::uint32_t salt, float variance, int basis,
                                   bool filtered) {
-    if (basis == GABOR_PERLIN) return gabor_impl_perlin_line(cell, local, period, salt, variance);
-    if (filtered) return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
-    return gabor_impl_smooth_line(cell, local, period, salt);
+    GaborImplLine line_;
+    if (basis == GABOR_PERLIN) line_ = gabor_impl_perlin_line(cell, local, period, salt, variance);
+    else if (filtered) line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else line_ = gabor_impl_smooth_line(cell, local, period, salt);
+    return line_;
 }
 
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
@@ -300,10 +306,9 @@ GABOR_INLINE float gabor_impl_visible(float kept) {
 
 // The mean of |n + sqrt(1 - kept) z| over a normal z of variance 1, and its derivative by n. 0.79788456 is sqrt(2/pi).
 GABOR_INLINE gabor_vec2 gabor_impl_mean_magnitude(float n, float kept) {
-    if (kept >= 1.0f) return gabor_vec2(gabor_cpp_abs(n), gabor_cpp_sign(n));
     float deviation = gabor_cpp_sqrt(gabor_cpp_max(1.0f - kept, 1.0e-8f));
     float t = gabor_cpp_clamp(n / deviation, -9.0f, 9.0f), slope = 2.0f * gabor_uniform(t) - 1.0f;
-    return gabor_vec2(0.79788456f * deviation * gabor_cpp_exp(-0.5f * t * t) + n * slope, slope);
+    return kept < 1.0f ? gabor_vec2(0.79788456f * deviation * gabor_cpp_exp(-0.5f * t * t) + n * slope, slope) : gabor_vec2(gabor_cpp_abs(n), gabor_cpp_sign(n));
 }
 
 // The variance of |n| that is left where a filter leaves n the share `kept`: with correlation r, two normal values have
@@ -345,11 +350,14 @@ GABOR_INLINE float gabor_impl_octave_nodes(float nodes, float scale) {
 GABOR_INLINE void gabor_impl_next_octave(GaborImplOctave& octave, GaborPlace place, gabor_vec2 by, float lacunarity, int i) {
     gabor_vec2 moved = gabor_vec2(0.382f, 0.731f);
     if (place.period.x == 0 && place.period.y == 0) {
-        gabor_ivec2 m = gabor_ivec2(by * 4096.0f), low = octave.cell & gabor_ivec2(4095);
-        gabor_uvec2 high = gabor_uvec2(octave.cell >> gabor_ivec2(12)), n = gabor_uvec2(m);
-        gabor_ivec2 part = m.x * low + m.y * gabor_ivec2(-low.y, low.x);
-        octave.cell = gabor_ivec2(n.x * high + n.y * gabor_uvec2(0u - high.y, high.x)) + (part >> gabor_ivec2(12));
-        octave.local = gabor_impl_product(by, octave.local) + gabor_vec2(part & gabor_ivec2(4095)) / 4096.0f + moved;
+        octave.local = gabor_impl_product(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0) {
+            gabor_ivec2 m = gabor_ivec2(by * 4096.0f), low = octave.cell & gabor_ivec2(4095);
+            gabor_uvec2 high = gabor_uvec2(octave.cell >> gabor_ivec2(12)), n = gabor_uvec2(m);
+            gabor_ivec2 part = m.x * low + m.y * gabor_ivec2(-low.y, low.x);
+            octave.cell = gabor_ivec2(n.x * high + n.y * gabor_uvec2(0u - high.y, high.x)) + (part >> gabor_ivec2(12));
+            octave.local += gabor_vec2(part & gabor_ivec2(4095)) / 4096.0f;
+        }
         octave.along_x = gabor_impl_product(by, octave.along_x);
         octave.along_y = gabor_impl_product(by, octave.along_y);
     } else {
@@ -403,7 +411,6 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(gabor_cpp_ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -443,6 +450,7 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
             else if (!perlin) noise *= gabor_vec3(1.0f, gabor_vec2(1.0f / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY;
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = gabor_cpp_inversesqrt(gabor_cpp_max(power, 1.0e-30f));
     sum.noise *= scale;
@@ -531,11 +539,14 @@ GABOR_INLINE gabor_vec3 gabor_impl_step_3d(gabor_vec3 by, gabor_vec3 v) {
 GABOR_INLINE void gabor_impl_next_octave_3d(GaborImplOctave3d& octave, GaborPlace3d place, gabor_vec3 by, float lacunarity, int i) {
     gabor_vec3 moved = gabor_vec3(0.382f, 0.731f, 0.545f);
     if (place.period.x == 0 && place.period.y == 0 && place.period.z == 0) {
-        gabor_ivec3 m = gabor_ivec3(by * 4096.0f), low = octave.cell & gabor_ivec3(4095);
-        gabor_uvec3 high = gabor_uvec3(octave.cell >> gabor_ivec3(12)), n = gabor_uvec3(m);
-        gabor_ivec3 part = m.x * low + m.y * low.yzx() + m.z * low.zxy();
-        octave.cell = gabor_ivec3(n.x * high + n.y * high.yzx() + n.z * high.zxy()) + (part >> gabor_ivec3(12));
-        octave.local = gabor_impl_step_3d(by, octave.local) + gabor_vec3(part & gabor_ivec3(4095)) / 4096.0f + moved;
+        octave.local = gabor_impl_step_3d(by, octave.local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0 || place.cell.z != 0) {
+            gabor_ivec3 m = gabor_ivec3(by * 4096.0f), low = octave.cell & gabor_ivec3(4095);
+            gabor_uvec3 high = gabor_uvec3(octave.cell >> gabor_ivec3(12)), n = gabor_uvec3(m);
+            gabor_ivec3 part = m.x * low + m.y * low.yzx() + m.z * low.zxy();
+            octave.cell = gabor_ivec3(n.x * high + n.y * high.yzx() + n.z * high.zxy()) + (part >> gabor_ivec3(12));
+            octave.local += gabor_vec3(part & gabor_ivec3(4095)) / 4096.0f;
+        }
         octave.along_x = gabor_impl_step_3d(by, octave.along_x);
         octave.along_y = gabor_impl_step_3d(by, octave.along_y);
         octave.along_z = gabor_impl_step_3d(by, octave.along_z);
@@ -650,7 +661,6 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(gabor_cpp_ceil(octaves));
     for (int i = 0; i < count; ++i) {
-        if (i > 0) gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i);
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -702,6 +712,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
                        * (gabor_cpp_inversesqrt(GABOR_IMPL_ENERGY) / GABOR_IMPL_ENERGY);
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
     }
     float scale = gabor_cpp_inversesqrt(gabor_cpp_max(power, 1.0e-30f));
     sum.noise *= scale;

@@ -76,13 +76,14 @@ struct GaborFractalNoise3d {
 // fn gabor_fbm_3d(p: vec3f, octaves: f32, gain: f32, seed: u32) -> f32
 // fn gabor_billow(p: vec2f, octaves: f32, gain: f32, seed: u32) -> f32
 // fn gabor_ridged(p: vec2f, octaves: f32, gain: f32, seed: u32) -> f32
-//     Sums of smooth octaves. Billows are at least -1.33 per octave of weight 1; ridges are billows upside down.
+//     Sums of smooth octaves. Ridges are billows upside down: at most 1.32 for one octave.
 
 // fn gabor_fractal_noise(place: GaborPlace, fractal: GaborFractal, seed: u32) -> GaborFractalNoise
 // fn gabor_fractal_noise_3d(place: GaborPlace3d, fractal: GaborFractal, seed: u32) -> GaborFractalNoise3d
 //     Any sum of octaves at a place. Its evolution changes all octaves in place, and repeats when it grows by 1. With a
 //     period of at least 8/3 kernel radii, every octave has a whole number of nodes along it, and none is turned.
-//     Gradients of fBm are continuous.
+//     Gradients of fBm are continuous. The variance of a smooth octave's is the same everywhere; a Perlin octave's is
+//     0.6 to 1.5 of the mean, largest at nodes. Lit alone, a smooth octave shows where its second derivatives jump.
 
 // fn gabor_fractal_noise_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, fractal: GaborFractal, seed: u32) -> GaborFractalNoise
 // fn gabor_fractal_noise_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, GaborFractal fractal, -> GaborFractalNoise3d
@@ -125,8 +126,7 @@ struct GaborWarp3d {
 //
 // u is a window h, and v its derivative h', of p - c. Each is divided by the root of the sum of its squares over the
 // nodes that reach the point, so that the variance is 1 at every point. Smooth noise has Hann's window over three
-// nodes.
-// For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
+// nodes. For Perlin noise, h = c^2 over four nodes, where c = (1 + cos(pi d / 2)) / 2: h'' is continuous, and so is the
 // gradient.
 //
 // A filter widens the windows: with the pixel's deviation s along the axis, Hann's to a half-width of
@@ -212,8 +212,12 @@ fn gabor_impl_add_smooth_row(sum: ptr<function, vec3f>, x: GaborImplLine, word: 
     var a = vec4f(gabor_impl_amplitude_at(words.x, evolution).x, gabor_impl_amplitude_at(words.y, evolution).x,
                   gabor_impl_amplitude_at(words.z, evolution).x, 0.0);
     if (four) { a.w = gabor_impl_amplitude_at(words.w, evolution).x; }
-    let row = dot(x.even, a);
-    *sum += vec3f(even.x * row, even.x * dot(x.even_slope, a), even.y * row);
+    var row = dot(x.even.xyz, a.xyz); var side = dot(x.even_slope.xyz, a.xyz);
+    if (four) {
+        row += x.even.w * a.w;
+        side += x.even_slope.w * a.w;
+    }
+    *sum += vec3f(even.x * row, even.x * side, even.y * row);
 }
 
 // A smooth noise and its gradient. `four` is whether the windows of four nodes reach a point, not three.
@@ -253,9 +257,11 @@ fn gabor_impl_perlin_sum(x: GaborImplLine, y: GaborImplLine, evolution: f32) -> 
 }
 
 fn gabor_impl_any_line(cell: i32, local: f32, period: i32, salt: u32, variance: f32, basis: i32, filtered: bool) -> GaborImplLine {
-    if (basis == GABOR_PERLIN) { return gabor_impl_perlin_line(cell, local, period, salt, variance); }
-    if (filtered) { return gabor_impl_smooth_line_filtered(cell, local, period, salt, variance); }
-    return gabor_impl_smooth_line(cell, local, period, salt);
+    var line: GaborImplLine;
+    if (basis == GABOR_PERLIN) { line = gabor_impl_perlin_line(cell, local, period, salt, variance); }
+    else if (filtered) { line = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance); }
+    else { line = gabor_impl_smooth_line(cell, local, period, salt); }
+    return line;
 }
 
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
@@ -287,10 +293,9 @@ fn gabor_impl_visible(kept: f32) -> f32 {
 
 // The mean of |n + sqrt(1 - kept) z| over a normal z of variance 1, and its derivative by n. 0.79788456 is sqrt(2/pi).
 fn gabor_impl_mean_magnitude(n: f32, kept: f32) -> vec2f {
-    if (kept >= 1.0) { return vec2f(abs(n), sign(n)); }
     let deviation = sqrt(max(1.0 - kept, 1.0e-8));
     let t = clamp(n / deviation, -9.0, 9.0); let slope = 2.0 * gabor_uniform(t) - 1.0;
-    return vec2f(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope);
+    return select(vec2f(abs(n), sign(n)), vec2f(0.79788456 * deviation * exp(-0.5 * t * t) + n * slope, slope), kept < 1.0);
 }
 
 // The variance of |n| that is left where a filter leaves n the share `kept`: with correlation r, two normal values have
@@ -333,11 +338,14 @@ fn gabor_impl_next_octave(octave: ptr<function, GaborImplOctave>, place: GaborPl
                           i: i32) {
     let moved = vec2f(0.382, 0.731);
     if (place.period.x == 0 && place.period.y == 0) {
-        let m = vec2i(by * 4096.0); let low = (*octave).cell & vec2i(4095);
-        let high = vec2u((*octave).cell >> vec2u(vec2i(12))); let n = vec2u(m);
-        let part = m.x * low + m.y * vec2i(-low.y, low.x);
-        (*octave).cell = vec2i(n.x * high + n.y * vec2u(0u - high.y, high.x)) + (part >> vec2u(vec2i(12)));
-        (*octave).local = gabor_impl_product(by, (*octave).local) + vec2f(part & vec2i(4095)) / 4096.0 + moved;
+        (*octave).local = gabor_impl_product(by, (*octave).local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0) {
+            let m = vec2i(by * 4096.0); let low = (*octave).cell & vec2i(4095);
+            let high = vec2u((*octave).cell >> vec2u(vec2i(12))); let n = vec2u(m);
+            let part = m.x * low + m.y * vec2i(-low.y, low.x);
+            (*octave).cell = vec2i(n.x * high + n.y * vec2u(0u - high.y, high.x)) + (part >> vec2u(vec2i(12)));
+            (*octave).local += vec2f(part & vec2i(4095)) / 4096.0;
+        }
         (*octave).along_x = gabor_impl_product(by, (*octave).along_x);
         (*octave).along_y = gabor_impl_product(by, (*octave).along_y);
     } else {
@@ -394,7 +402,6 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
     let perlin = fractal.basis == GABOR_PERLIN;
     let count = i32(ceil(octaves));
     for (var i = 0; i < count; i++) {
-        if (i > 0) { gabor_impl_next_octave(&octave, place, by, fractal.lacunarity, i); }
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -434,6 +441,7 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
             else if (!perlin) { noise *= vec3f(1.0, vec2f(1.0 / GABOR_CELLS_PER_RADIUS)) / GABOR_IMPL_ENERGY; }
         }
         gabor_impl_add_octave(&sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave(&octave, place, by, fractal.lacunarity, i + 1);
     }
     let scale = inverseSqrt(max(power, 1.0e-30));
     sum.noise *= scale;
@@ -524,11 +532,14 @@ fn gabor_impl_next_octave_3d(octave: ptr<function, GaborImplOctave3d>, place: Ga
                              i: i32) {
     let moved = vec3f(0.382, 0.731, 0.545);
     if (place.period.x == 0 && place.period.y == 0 && place.period.z == 0) {
-        let m = vec3i(by * 4096.0); let low = (*octave).cell & vec3i(4095);
-        let high = vec3u((*octave).cell >> vec3u(vec3i(12))); let n = vec3u(m);
-        let part = m.x * low + m.y * low.yzx + m.z * low.zxy;
-        (*octave).cell = vec3i(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> vec3u(vec3i(12)));
-        (*octave).local = gabor_impl_step_3d(by, (*octave).local) + vec3f(part & vec3i(4095)) / 4096.0 + moved;
+        (*octave).local = gabor_impl_step_3d(by, (*octave).local) + moved;
+        if (place.cell.x != 0 || place.cell.y != 0 || place.cell.z != 0) {
+            let m = vec3i(by * 4096.0); let low = (*octave).cell & vec3i(4095);
+            let high = vec3u((*octave).cell >> vec3u(vec3i(12))); let n = vec3u(m);
+            let part = m.x * low + m.y * low.yzx + m.z * low.zxy;
+            (*octave).cell = vec3i(n.x * high + n.y * high.yzx + n.z * high.zxy) + (part >> vec3u(vec3i(12)));
+            (*octave).local += vec3f(part & vec3i(4095)) / 4096.0;
+        }
         (*octave).along_x = gabor_impl_step_3d(by, (*octave).along_x);
         (*octave).along_y = gabor_impl_step_3d(by, (*octave).along_y);
         (*octave).along_z = gabor_impl_step_3d(by, (*octave).along_z);
@@ -649,7 +660,6 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
     let perlin = fractal.basis == GABOR_PERLIN;
     let count = i32(ceil(octaves));
     for (var i = 0; i < count; i++) {
-        if (i > 0) { gabor_impl_next_octave_3d(&octave, place, by, fractal.lacunarity, i); }
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -703,6 +713,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
             }
         }
         gabor_impl_add_octave_3d(&sum, octave, fractal.shape, weight, noise, kept, lost);
+        gabor_impl_next_octave_3d(&octave, place, by, fractal.lacunarity, i + 1);
     }
     let scale = inverseSqrt(max(power, 1.0e-30));
     sum.noise *= scale;

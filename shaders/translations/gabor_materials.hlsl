@@ -375,7 +375,7 @@ float4 gabor_impl_radii(GaborImplPixel at, float2 density) {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
-// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// their slopes. They bend dx and dy even less, for two reasons: slopes at one point are not those of the whole pixel,
 // and the slopes of a filtered height leave out how the steps change.
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitude, uint seed, int index) {
     float4 steps = gabor_impl_radii(at, density);
@@ -484,7 +484,7 @@ GaborImplPair GaborImplPair_of(float3 first, float3 second, float removed, float
     return made;
 }
 
-// The pairs of a material.
+// All pairs of noises that one material needs.
 struct GaborImplPairs {
     GaborImplPair pair_0;
     GaborImplPair pair_1;
@@ -597,12 +597,18 @@ GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade) 
     return made;
 }
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+float2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
+}
+
 GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     float2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine_of(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              float3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              float3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -889,7 +895,8 @@ GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed) 
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+// The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
+// dy are the pixel's sides.
 float gabor_impl_sample_spread(float2 dx, float2 dy) {
     return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
@@ -1193,8 +1200,8 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborIm
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
-// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where a second noise exceeds a threshold, so that
+// they have ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     float2 width = i == 4 ? float2(0.25, 0.035) : i == 5 ? float2(0.35, 0.05) : float2(1.0, i == 6 ? 0.04 : 0.05);
     float2 strength = marble.vein_strength * (i == 4 ? float2(0.6, 0.6) : i == 5 ? float2(0.55, 0.75) : float2(0.0, 0.45));

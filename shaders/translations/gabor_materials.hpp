@@ -301,7 +301,7 @@ GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborImplPixel at, gabor_vec2 density) 
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
-// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// their slopes. They bend dx and dy even less, for two reasons: slopes at one point are not those of the whole pixel,
 // and the slopes of a filtered height leave out how the steps change.
 GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_impl_radii(at, density);
@@ -400,7 +400,7 @@ struct GaborImplPair {
     gabor_vec3 lost;
 };
 
-// The pairs of a material.
+// All pairs of noises that one material needs.
 struct GaborImplPairs {
     GaborImplPair pair_0;
     GaborImplPair pair_1;
@@ -497,12 +497,18 @@ struct GaborImplSpotsLine {
     gabor_vec2 fade;
 };
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+GABOR_INLINE gabor_vec2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
+    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_CELLS_PER_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
+}
+
 GABOR_INLINE GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * (b.offset - float(index)));
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index)};
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -784,7 +790,8 @@ GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborW
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+// The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
+// dy are the pixel's sides.
 GABOR_INLINE float gabor_impl_sample_spread(gabor_vec2 dx, gabor_vec2 dy) {
     return gabor_cpp_sqrt(0.125f * (gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy)));
 }
@@ -1088,8 +1095,8 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair c
     return gabor_impl_material(colour, 0.00012f * crystal.second, 1.44e-8f * crystal.lost, marble.roughness, 0.0f);
 }
 
-// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where a second noise exceeds a threshold, so that
+// they have ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborImplPair vein) {
     gabor_vec2 width = i == 4 ? gabor_vec2(0.25f, 0.035f) : i == 5 ? gabor_vec2(0.35f, 0.05f) : gabor_vec2(1.0f, i == 6 ? 0.04f : 0.05f);
     gabor_vec2 strength = marble.vein_strength * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));

@@ -282,7 +282,7 @@ fn gabor_impl_radii(at: GaborImplPixel, density: vec2f) -> vec4f {
 }
 
 // Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of
-// their slopes. They bend its steps even less, for two reasons: slopes at one point are not those of the whole pixel,
+// their slopes. They bend dx and dy even less, for two reasons: slopes at one point are not those of the whole pixel,
 // and the slopes of a filtered height leave out how the steps change.
 fn gabor_impl_warp(at: GaborImplPixel, density: vec2f, amplitude_in: vec2f, seed: u32, index: i32) -> GaborImplPixel {
     var amplitude = amplitude_in;
@@ -384,7 +384,7 @@ struct GaborImplPair {
     lost: vec3f,
 }
 
-// The pairs of a material.
+// All pairs of noises that one material needs.
 struct GaborImplPairs {
     pair_0: GaborImplPair,
     pair_1: GaborImplPair,
@@ -480,12 +480,18 @@ struct GaborImplSpotsLine {
     fade: vec2f,
 }
 
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+fn gabor_impl_spots_fade(b: GaborImplFilteredAxis, index: i32) -> vec2f {
+    let d = b.offset - f32(index); let t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * vec2f(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
+}
+
 fn gabor_impl_spots_line(b: GaborImplFilteredAxis, index: i32) -> GaborImplSpotsLine {
     let turn = gabor_impl_wave(0.5 / b.reach * (b.offset - f32(index)));
     let real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     let imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
     return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              vec3f(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+                              vec3f(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
 }
 
 // The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
@@ -774,7 +780,8 @@ fn gabor_wood_at(p: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMa
 //
 // The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
 
-// The standard deviation of a pixel's positions along two axes together; dx and dy are its steps along them.
+// The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
+// dy are the pixel's sides.
 fn gabor_impl_sample_spread(dx: vec2f, dy: vec2f) -> f32 {
     return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
@@ -1079,8 +1086,8 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborIm
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
-// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where a second noise exceeds a threshold, so that
+// they have ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
     let width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
     var strength = marble.vein_strength * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);

@@ -65,7 +65,7 @@ struct GaborOcean {
 //     the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers may round differently on
 //     another device. To change a member, call this again.
 
-// The water whose place at rest is p. It is now at p + shift.
+// The water particle whose position at rest is p. It is now at p + shift.
 struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p

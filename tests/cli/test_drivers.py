@@ -37,7 +37,7 @@ class Drivers(ProgramTest):
     @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
     def test_two_drivers_agree(self):
         """Each driver is within 2e-5 of the exact noise up to frequency 4. Above that, its error is proportional to the
-        frequency, as render/request.hpp says."""
+        frequency, as render/request/request.hpp says."""
         for options in REQUESTS[:-1]: # a region is a part of the picture
             pixels = []
             for driver in (LAVAPIPE, SWIFTSHADER):

@@ -173,7 +173,7 @@ class Erode(ProgramTest):
         for name in "alps", "canyon":
             self.succeed("erode", "map.exr", "-o", "out.exr", f"--preset={name}", "--octaves=0")
             found = Exr(self.folder / "out.exr").parameters
-            preset = json.loads((pathlib.Path(__file__).parents[2] / f"host/render/presets/{name}.json").read_text())
+            preset = json.loads((pathlib.Path(__file__).parents[2] / f"host/render/request/presets/{name}.json").read_text())
             for option, factor, by_default in ("gully_frequency", 1.5, 1.5), ("crease_rounding", 4, 0.1), ("gain", 1, 0.5):
                 self.assertAlmostEqual(float(found[option]), factor * preset.get(option, by_default), msg=(name, option))
             self.assertEqual(float(found["onset_slope"]), 2 * 0.637)

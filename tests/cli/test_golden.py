@@ -1,7 +1,7 @@
 """Checks the pixels of this version: for each recipe, 8 x 8 pixels in the first and last corners of the largest picture, drawn
 in blocks and pixel by pixel, and small pictures of other kinds and eroded maps with all channels. On lavapipe from Mesa 22.3
 (Debian 12), their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance
-in render/request.hpp, or, for terrain, materials and bodies, within 1.5e-3: a pixel's six colours may be off by the 1e-4 of
+in render/request/request.hpp, or, for terrain, materials and bodies, within 1.5e-3: a pixel's six colours may be off by the 1e-4 of
 test_material.cpp, and light on metal by five times that. Changing pixels requires a new version. After an intended change,
 regenerate the file with this command and review the diff:
 

@@ -10,7 +10,7 @@ import numpy as np
 from exr import write_exr
 from program import ProgramTest, gabor
 
-COMMANDS = ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
+COMMANDS = ("render", "maps", "texture", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
 
 GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset-slope", "--detail", "--uniformity", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
@@ -31,10 +31,16 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--evolution", "--seconds", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
-                              "--png", "--compression", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
+                              "--png", "--compression", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--boards",
                               "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
-                              "--maps", "--width-metres", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
+                              "--light-azimuth", "--light-elevation", "--environment"),
+                   "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--half",
+                            "--compression", "--device", "--material", "--boards", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover"),
+                   "texture": ("-o,--output", "--size", "--preset", "--like", "--region", "--level", "--half", "--frames", "--device", "--material",
+                               "--boards", "--scale", "--recipe", "--frequency", "--orientation", "--frequency-spread", "--orientation-spread",
+                               "--lobes", "--seed", "--evolution", "--paint", "--gradient", "--phasor", "--view", "--tileable", "--light-azimuth",
+                               "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
@@ -53,15 +59,15 @@ class Help(ProgramTest):
                                         text.replace('[{"frequency": 4, ', "")), command)
         text = self.succeed("render", "--help")
         self.assertEqual(re.findall(r"(?m)^(\w.*):$", text),
-                         ["Options", "Output", "Noise", "View and light", "Terrain", "Ocean", "Textures", "Examples"])
+                         ["Options", "Output", "Noise", "View and light", "Terrain", "Ocean", "Examples"])
         self.assertEqual(len(re.findall(r"(?m)^  gabor render ", text)), 3)
 
     def test_examples_are_accepted(self):
         """Each example in the help needs nothing but a device and the heightmap that it names."""
         self.succeed("render", "--size=24", "-o", "heights.png")
-        examples = [example.split()[1:] for command in ([], ["render"]) for example in
-                    re.findall(r"(?m)^  (gabor (?:render|erode) .*)$", self.succeed(*command, "--help").partition("Examples:")[2])]
-        self.assertEqual(len(examples), 7)
+        examples = [example.split()[1:] for command in ([], ["render"], ["maps"], ["texture"]) for example in
+                    re.findall(r"(?m)^  (gabor (?:render|maps|texture|erode) .*)$", self.succeed(*command, "--help").partition("Example")[2])]
+        self.assertEqual(len(examples), 10)
         for example in examples:
             said = gabor(*example, "--device=none", cwd=self.folder)
             self.assertEqual(said.returncode, 2, example)

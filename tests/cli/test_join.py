@@ -109,6 +109,7 @@ class Refused(JoinTest):
         self.assert_refused(["region0.exr", "is one of the regions"], "join", *regions, "-o", regions[0])
         self.assert_refused(["-o"], "join", *regions)
         self.assert_refused(["REGION"], "join", "-o", "new.exr")
+        self.assert_refused(["--half requires --texture"], "join", *regions, "--half", "-o", "new.exr")
 
     def test_damaged_regions(self):
         for windows in (STRIPS, TILES):

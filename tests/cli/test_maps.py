@@ -1,4 +1,4 @@
-"""Tests `gabor render --maps`, which writes a material's maps for other programs."""
+"""Tests `gabor maps`, which writes a material's maps for other programs."""
 
 import json
 import pathlib
@@ -32,7 +32,7 @@ def encoded(light):
 
 class Maps(RenderTest):
     def maps(self, *options, material="strata"):
-        self.succeed("render", "--material", material, f"--size={WIDTH}x{HEIGHT}", "--maps", "set", "--no-tileable", *options)
+        self.succeed("maps", "--material", material, f"--size={WIDTH}x{HEIGHT}", "-o", "set", "--no-tileable", *options)
         folder = self.folder / "set"
         channels = Exr(folder / "maps.exr").channels
         return folder, {name: values.astype(float) for name, values in channels.items()}
@@ -82,7 +82,7 @@ class Maps(RenderTest):
     def test_maps_of_terrain(self):
         """Are those of the picture from above: the ground is rough and no metal, and normals follow from its slopes."""
         land = ("--view=terrain", f"--size={WIDTH}x{HEIGHT}", "--scale=12", "--extent=800", "--seed=3")
-        self.succeed("render", *land, "--maps", "land", "--no-tileable")
+        self.succeed("maps", *land, "-o", "land", "--no-tileable")
         self.succeed("render", *land, "-o", "above.exr")
         maps, above = (Exr(self.folder / name).channels for name in ("land/maps.exr", "above.exr"))
         self.assertEqual(set(maps), {"R", "G", "B", "height", "roughness", "metalness", "normal.x", "normal.y", "normal.z", "occlusion"})
@@ -92,6 +92,12 @@ class Maps(RenderTest):
         for axis, slope in (("x", -above["slope.x"]), ("y", above["slope.y"])):
             np.testing.assert_allclose(maps[f"normal.{axis}"] / maps["normal.z"], slope, rtol=1e-4, atol=1e-5)
         self.assertLess(maps["occlusion"].min(), 0.8)
+        for extent in 8, 8000:
+            self.succeed("render", *(each for each in land if "extent" not in each), f"--extent={extent}", "--maps", "same", "--no-tileable")
+            same = Exr(self.folder / "same/maps.exr").channels
+            np.testing.assert_allclose(same["height"], maps["height"] * extent / 800, rtol=1e-5, atol=1e-6 * extent)
+            for name in maps.keys() - {"height"}:
+                np.testing.assert_allclose(same[name], maps[name], rtol=1e-5, atol=1e-5, err_msg=f"{name} of a land of {extent} m")
 
     def test_tiles_have_no_seam_in_any_map(self):
         _, maps = self.maps("--tileable", material="leather")
@@ -103,7 +109,7 @@ class Maps(RenderTest):
     def test_scratches_of_a_tile_are_as_thin_as_others(self):
         """Measures the largest square within scratches, in pixels."""
         for option in ("--tileable", "--no-tileable"):
-            self.succeed("render", "--material=scratches", "--seed=5", "--size=384", "--scale=96", option, "--maps", "set")
+            self.succeed("maps", "--material=scratches", "--seed=5", "--size=384", "--scale=96", option, "-o", "set")
             inside, side = Exr(self.folder / "set/maps.exr").channels["height"] < -0.25 * 0.0025, 0
             while inside.any():
                 inside, side = inside[:-1, :-1] & inside[1:, :-1] & inside[:-1, 1:] & inside[1:, 1:], side + 1
@@ -152,7 +158,7 @@ class Maps(RenderTest):
             wide = WIDTH / Exr(folder / "maps.exr").parameters["scale"]
             self.assert_metres(folder, (metres, metres * HEIGHT / WIDTH), maps["height"] * metres / wide)
         for options, metres in (([], 8000), (["--width-metres=2"], 2)):
-            self.succeed("render", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "--maps", "land", *options)
+            self.succeed("maps", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "-o", "land", *options)
             heights = Exr(self.folder / "land/maps.exr").channels["height"]
             self.assert_metres(self.folder / "land", (metres, metres), heights * (metres / 8000))
 
@@ -173,7 +179,7 @@ class Maps(RenderTest):
 
     def test_maps_tile_and_have_2048_pixels_unless_asked_for_otherwise(self):
         def described(*options):
-            self.succeed("render", "--maps", "set", *options)
+            self.succeed("maps", "-o", "set", *options)
             facts = json.loads((self.folder / "set/material.json").read_text())
             return *facts["pixels"], facts["tileable"], Exr(self.folder / "set/maps.exr").parameters["scale"]
 
@@ -181,7 +187,7 @@ class Maps(RenderTest):
         self.assertEqual(described("--material=wood", "--size=64"), (64, 64, True, 16))
         self.assertEqual(described("--material=wood", "--size=32x16", "--no-tileable"), (32, 16, False, 4))
         self.assertEqual(described("--preset=hills", "--size=64"), (64, 64, True, 16))  # a landscape, from above: the least tile
-        width, height, scale = (json.loads((ROOT / "host/render/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
+        width, height, scale = (json.loads((ROOT / "host/render/request/presets/walnut.json").read_text()).get(name, 1024) for name in ("width", "height", "scale"))
         for size in ((64, 32), (32, 64)):
             self.assertEqual(described("--preset=walnut", f"--size={size[0]}x{size[1]}"), (*size, True, scale * 32 / min(width, height)))
         self.assertEqual(described("--preset=hills", "--size=64x32"), (64, 32, True, 8))  # its shorter side is the least
@@ -203,10 +209,10 @@ class Maps(RenderTest):
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
         """Compares the GGX highlight on each pixel of a mip level with the mean highlight on the fine pixels that it covers."""
-        self.succeed("render", "--material=leather", "--size=8x32", "--maps", "oblong", "--texture")
+        self.succeed("maps", "--material=leather", "--size=8x32", "-o", "oblong", "--texture")
         self.assertEqual([level["R"].shape for level in Texture(self.folder / "oblong" / "maps.exr").levels], [(32 >> k, max(8 >> k, 1)) for k in range(6)])
         side, block = 256, 16
-        self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
+        self.succeed("maps", "--material=leather", f"--size={side}x{side}", "-o", "set", "--texture")
         levels = Texture(self.folder / "set" / "maps.exr").levels
         fine, coarse = levels[0], levels[block.bit_length() - 1]
 
@@ -237,22 +243,19 @@ class Maps(RenderTest):
         self.assertGreater(np.mean(careless), 3 * np.mean(error))
 
     def test_what_is_refused(self):
-        for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
+        for words, options in ((["maps require", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
                                (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
-                               *((["--maps", "combined with -o"], ["--material=wood", *other]) for other in
-                                 (["-o", "a.exr"], ["--png=a.png"], ["--write-heightmap=a.png"], ["--elevation=0,1"],
-                                  ["--region=0,0,8,8"], ["--frames=2"], ["--level=1"]))):
-            self.assert_refused(words, "render", "--maps", "set", *options)
+                               (["unknown '--frames=2'", "gabor maps --help"], ["--material=wood", "--frames=2"])):
+            self.assert_refused(words, "maps", "-o", "set", *options)
             self.assertEqual(self.files(), {})
-        self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
-        self.assert_refused(["--half requires --texture"], "render", "--material=wood", "--maps", "set", "--half")
+        self.assert_refused(["power of two"], "maps", "--material=wood", "--size=96x96", "-o", "set", "--texture")
+        self.assert_refused(["--half requires --texture"], "maps", "--material=wood", "-o", "set", "--half")
         self.assertEqual(self.files(), {})
-        self.assert_refused(["--width-metres '-1': expected a width above 0"], "render", "--material=wood", "--maps", "set", "--width-metres=-1")
-        for option in ("--directx", "--normal-bits=8", "--width-metres=2"):
-            self.assert_refused([f"{option.partition('=')[0]} requires --maps"], "render", "--material=wood", "-o", "a.exr", option)
-        self.assert_refused(["--normal-bits '12': expected 8 or 16"], "render", "--material=wood", "--maps", "set", "--normal-bits=12")
+        self.assert_refused(["--width-metres '-1': expected a width above 0"], "maps", "--material=wood", "-o", "set", "--width-metres=-1")
+        self.assert_refused(["--maps", "gabor maps --help"], "render", "--material=wood", "--maps", "set")
+        self.assert_refused(["--normal-bits '12': expected 8 or 16"], "maps", "--material=wood", "-o", "set", "--normal-bits=12")
         (self.folder / "file").write_text("mine")
-        self.assert_refused(["cannot create the folder 'file'"], "render", "--material=wood", "--maps", "file")
+        self.assert_refused(["cannot create the folder 'file'"], "maps", "--material=wood", "-o", "file")
         self.assertEqual((self.folder / "file").read_text(), "mine")
 
 

@@ -104,7 +104,7 @@ class Ocean(ProgramTest):
         for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=999", "swell-height=-1", "swell-period=4", "loop-seconds=12", "tileable"):
             self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
         self.assert_refused(["--wind needs --view ocean\n"], "render", "-o", "out.exr", "--wind=8")
-        self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")
+        self.assert_refused(["maps require"], "maps", "--view=ocean", "-o", "maps")
 
 
 if __name__ == "__main__":

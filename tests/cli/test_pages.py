@@ -31,6 +31,27 @@ class Readme(ProgramTest):
         for power, truth in ((1, 0), (2, 1), (3, 0), (4, 3)):
             self.assert_plausible(pixels ** power, truth, f"mean of the power {power}")
 
+    def test_commands_of_pages_have_options_that_exist(self):
+        known = {}
+        for command in ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
+            known[command] = set(re.findall(r"--[a-z][\w-]*(?:\.[\w.-]*\w)?", self.succeed(command, "--help")))
+        known["render"] |= known["erode"]  # the parameters of erosion
+        known["render"] |= {f"--no-{option[2:]}" for option in known["render"]}
+        for line in [*self.succeed("materials").splitlines(), "boards"]:
+            if line:
+                known["render"] |= set(re.findall(r"--[a-z][\w-]*\.[\w.-]*\w", self.succeed("materials", line.split()[0])))
+        every, seen = set().union(*known.values()), 0
+        for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+            text = page.read_text()
+            uses = [(known[command], given) for command, given in re.findall(r"\bgabor (%s)\b([^`\n#|]*)" % "|".join(known), text)]
+            if page.name in ("gallery.md", "heightmaps.md", "by-example.md"):  # whose other options are gabor's, too
+                uses += [(every, given) for given in re.findall(r"`(--[^`]*)`", text)]
+            for options, given in uses:
+                for option in re.findall(r"(?<![\w-])--[a-z][\w-]*(?:\.[\w.-]*\w)?", given):
+                    seen += 1
+                    self.assertTrue(option in options, f"{page.name} has {option}, which is no option: {given}")
+        self.assertGreater(seen, 60)
+
     def test_the_cycles_of_recipes_match_the_performance_page(self):
         performance = (ROOT / "docs" / "performance.md").read_text()
         rows = re.findall(r"(?m)^\| `(\S+)` \|.* dB \| (\d+) \|", RECIPES)
@@ -92,7 +113,7 @@ class Engines(ProgramTest):
         names = ["noise.png", "recipe-lattice-2",
                  *(f"gallery/{name}" for name in "wood gradient phasor horizon tiled lobes painted animated slice sphere reflections".split())]
         if importlib.util.find_spec("moderngl"):
-            names.append("direction-maps")
+            names += ["direction-maps", "gallery/fractal"]
         for name in names:
             drawn = gallery["PICTURES"][name]()
             ending = "" if "." in name else ".webp" if isinstance(drawn, list) else ".jpg"

@@ -1,4 +1,4 @@
-"""Checks that each level of `gabor render --texture` is the filtered flat picture of its size."""
+"""Checks that each level of `gabor texture` is the filtered flat picture of its size."""
 
 import struct
 import unittest
@@ -29,7 +29,7 @@ class TextureTest(ProgramTest):
     def texture(self, width, height, *options, scale=16):
         given, path = (f"--size={width}x{height}", f"--scale={scale}", *options), self.folder / "texture.exr"
         if given not in self.made:
-            self.succeed("render", "--texture", *NOISE, "-o", path.name, *given)
+            self.succeed("texture", *NOISE, "-o", path.name, *given)
             self.made[given] = path.read_bytes()
         path.write_bytes(self.made[given])
         return Texture(path)
@@ -85,14 +85,14 @@ class Joined(TextureTest):
             rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]
             for first, end in zip(rows, rows[1:]):
                 regions.append(f"level{level}.{first}.exr")
-                self.succeed("render", f"--size={width}x{height}", f"--level={level}", *options, "-o", regions[-1],
+                self.succeed("texture", f"--size={width}x{height}", f"--level={level}", *options, "-o", regions[-1],
                              f"--region=0,{first},{width >> level},{end - first}")
         return regions
 
     def test_levels_become_the_texture(self):
         for width, height, options, half in ((16, 8, [*NOISE, "--scale=16"], ["--half"]),
                                              (8, 16, [*NOISE, "--scale=4", "--tileable", "--phasor", "--gradient"], [])):
-            self.succeed("render", "--texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
+            self.succeed("texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
             regions = self.levels(width, height, options)
             said = self.succeed("join", "--texture", *half, *regions[2:], *regions[:2], "-o", "joined.exr")
             self.assertEqual(said, f"joined.exr: {width} x {height} pixels, from {len(regions)} regions\n")
@@ -100,7 +100,7 @@ class Joined(TextureTest):
             self.assertEqual(files["joined.exr"], files["texture.exr"], options)
 
     def test_a_level_is_the_filtered_picture_of_its_size(self):
-        self.succeed("render", "--size=128x64", "--level=2", *NOISE, "--scale=16", "-o", "level.exr")
+        self.succeed("texture", "--size=128x64", "--level=2", *NOISE, "--scale=16", "-o", "level.exr")
         flat = self.flat(32, 16, 4)
         self.assertEqual(flat.parameters, Exr(self.folder / "level.exr").parameters)
         self.assertEqual(self.files()["level.exr"], self.files()["flat.exr"])
@@ -110,20 +110,20 @@ class Joined(TextureTest):
         join = "join", "--texture", "-o", "new.exr"
         self.assert_refused(["no region of level 2 (2 x 1 pixels)"], *join, *(r for r in regions if "level2" not in r))
         self.assert_refused(["no region contains the pixel 0,2"], *join, *regions[:1], *regions[2:])
-        self.succeed("render", "--size=8x4", "--level=1", *NOISE, "--scale=8", "--evolution=0.3", "-o", "other.exr")
+        self.succeed("texture", "--size=8x4", "--level=1", *NOISE, "--scale=8", "--evolution=0.3", "-o", "other.exr")
         self.assert_refused(["'other.exr' is not level 1 of 'level0.0.exr'"], *join,
                             *(r for r in regions if "level1" not in r), "other.exr")
-        self.succeed("render", "--size=16x4", "--level=2", *NOISE, "--scale=8", "-o", "other.exr")
+        self.succeed("texture", "--size=16x4", "--level=2", *NOISE, "--scale=8", "-o", "other.exr")
         self.assert_refused(["'other.exr' is not a level of 'level0.0.exr'"], *join, *regions, "other.exr")
         self.succeed("render", "--size=8x4", *NOISE, "--scale=8", "-o", "sharp.exr")
         self.assert_refused(["'sharp.exr' is not filtered"], *join, "sharp.exr")
         self.assert_refused(["--half"], "join", "--half", "-o", "new.exr", *regions)
         self.assert_refused(["level0.0.exr", "is one of the regions"], "join", "--texture", *regions, "-o", regions[0])
         for level in ("5", "-1", "x"):
-            self.assert_refused([f"--level '{level}'", "from 0 to 4 at this size"], "render", "--size=32x16",
+            self.assert_refused([f"--level '{level}'", "from 0 to 4 at this size"], "texture", "--size=32x16",
                                 f"--level={level}", "-o", "new.exr")
-        self.assert_refused(["power of two", "32 x 17 pixels"], "render", "--size=32x17", "--level=1", "-o", "new.exr")
-        self.assert_refused(["--texture and --level"], "render", "--texture", "--level=1", "--size=32x16", "-o", "new.exr")
+        self.assert_refused(["power of two", "32 x 17 pixels"], "texture", "--size=32x17", "--level=1", "-o", "new.exr")
+        self.assert_refused(["--half and --level"], "texture", "--half", "--level=1", "--size=32x16", "-o", "new.exr")
 
 
 class Attributes(TextureTest):
@@ -142,7 +142,7 @@ class Attributes(TextureTest):
 
     def test_it_is_rendered_again_from_its_header(self):
         texture = self.texture(256, 128)
-        self.succeed("render", "--like=texture.exr", "--texture", "-o", "again.exr")
+        self.succeed("texture", "--like=texture.exr", "-o", "again.exr")
         self.assertEqual(self.files()["again.exr"], self.files()["texture.exr"])
         self.assertTrue(text(texture, "gabor").startswith("{"))
         self.assertTrue(text(texture, "software").startswith("gabor "))
@@ -153,20 +153,20 @@ class Refused(TextureTest):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
             "requires --view flat": ["--size=64x64", "--view=terrain"],
-            "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
+            "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "unknown '--png=a.png'": ["--size=64x64", "--png=a.png"],
             "conflicts with": ["--size=64x64", "--recipe=paper"],
         }.items():
-            self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
+            self.assert_refused([words], "texture", *options, "-o", "new.exr")
         for size, region in (("256x256", "32,0,128,32"), ("256x256", "0,16,32,32"), ("256x256", "0,64,32,128"),  # not at a tile
                              ("96x64", "0,0,64,64"), ("96x64", "0,0,64,32"), ("64x96", "0,0,64,64"), ("64x96", "0,0,32,64")):  # no whole tiles
-            self.assert_refused(["equal tiles", f"--region {region}:", f"picture of {size.replace('x', ' x ')} pixels"], "render",
-                                "--texture", f"--size={size}", f"--region={region}", "-o", "new.exr")
-        for output in ("-o", "--png"):
-            self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", output, "new.png")
-        self.assert_refused(["--texture"], "render", "--half", "--size=64x64", "-o", "new.exr")
+            self.assert_refused(["equal tiles", f"--region {region}:", f"picture of {size.replace('x', ' x ')} pixels"], "texture",
+                                f"--size={size}", f"--region={region}", "-o", "new.exr")
+        self.assert_refused(["a file name that ends in .exr"], "texture", "--size=64x64", "-o", "new.png")
+        for option in ("--texture", "--level=1"):
+            self.assert_refused(["gabor texture --help"], "render", option, "--size=64x64", "-o", "new.exr")
 
     def test_a_full_disk(self):
-        self.assert_fails(1, ["/dev/full"], "render", "--texture", "--size=64x64", "-o", "/dev/full")
+        self.assert_fails(1, ["/dev/full"], "texture", "--size=64x64", "-o", "/dev/full")
 
 
 if __name__ == "__main__":

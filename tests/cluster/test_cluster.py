@@ -80,10 +80,10 @@ class FarmTest(ProgramTest):
         (self.folder / "one").mkdir()
         options = OPTIONS.split()
         self.succeed("render", "--size=600x500", *options, "-o", "one/grain.exr")
-        self.succeed("render", "--texture", "--half", "--size=128x128", "--scale=8", "--tileable", "-o", "one/bark.exr")
+        self.succeed("texture", "--half", "--size=128x128", "--scale=8", "--tileable", "-o", "one/bark.exr")
         self.succeed("render", "--size=64x64", *options, "--frames=2", "-o", "one/water.exr")
         for number, y in ((1001, 64), (1011, 0)):
-            self.succeed("render", "--texture", "--size=64x128", *options, f"--region=0,{y},64,64", "-o",
+            self.succeed("texture", "--size=64x128", *options, f"--region=0,{y},64,64", "-o",
                          f"one/skin.{number}.exr")
         for figure in ("figure1", "figure4"):
             self.succeed("study", figure, "--quick", "-o", "one/paper", command=(LAB,))

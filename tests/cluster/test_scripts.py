@@ -131,11 +131,11 @@ class Scripts(ProgramTest):
         self.assertEqual(said, ["frames"] * 4 + ["study figure1 --quick -o paper"])
         self.assert_whole()
         (self.folder / "one").mkdir()
-        self.succeed("render", "--texture", "--half", "--size=64x32", "--tileable", "--scale=8", "-o", "one/bark.exr")
+        self.succeed("texture", "--half", "--size=64x32", "--tileable", "--scale=8", "-o", "one/bark.exr")
         self.succeed("render", "--size=16x8", *OPTIONS, "--frames=2", "-o", "one/water.exr")
         self.succeed("render", "--size=16x8", "--view=ocean", "--loop-seconds=16", "--frames=2", "-o", "one/sea.exr")
         for number, place in {1001: "0,4", 1002: "8,4", 1003: "16,4", 1011: "0,0", 1012: "8,0", 1013: "16,0"}.items():
-            self.succeed("render", "--texture", "--size=24x8", *OPTIONS, f"--region={place},8,4", "-o", f"one/skin.{number}.exr")
+            self.succeed("texture", "--size=24x8", *OPTIONS, f"--region={place},8,4", "-o", f"one/skin.{number}.exr")
         for path in (self.folder / "one").iterdir():
             self.assertEqual((self.folder / path.name).read_bytes(), path.read_bytes(), path.name)
         self.assertEqual(len(list((self.folder / "one").iterdir())), 1 + 4 + 6)

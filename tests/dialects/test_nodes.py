@@ -436,6 +436,75 @@ class Drawn(unittest.TestCase):
                 np.testing.assert_allclose(sums, [float(each) for each in wanted[name].split()], rtol=0, atol=0.2)
 
 
+SHIMS = """#version 450
+layout(local_size_x = 8) in;
+layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
+TEXTS
+float at(uint word) {
+    return 1000.0 * float(gabor_impl_mix(word, 0x9e3779b1u) >> 8) / 16777216.0 - 500.0;
+}
+void main() {
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uint i = 256u * pixel.y + pixel.x, picture = pixel.y / 256u;
+    vec3 p = vec3(at(3u * i), at(3u * i + 1u), at(3u * i + 2u));
+    if (picture >= 16u) p = vec3(vec2(pixel) / 6.0 + 300.0 * vec2(picture, picture * picture % 7u), 3.7 * float(picture));
+    values[i] = VALUE;
+}
+"""
+
+
+@unittest.skipUnless("GABOR_SCENES" in os.environ and shutil.which("glslangValidator"), "needs a device and glslangValidator")
+class Shims(unittest.TestCase):
+    """Draws the shim's functions at a million random places, and in 16 pictures with 6 pixels per cell."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        cls.texts = "".join((SHADERS / name).read_text() for name in ("gabor_noise.glsl", "gabor_fractal.glsl",
+                                                                      "nodes/shims/webgl_noise.glsl"))
+
+    def drawn(self, value, pictures=32):
+        (self.folder / "shader.comp").write_text(SHIMS.replace("TEXTS", self.texts).replace("VALUE", value))
+        subprocess.run(["glslangValidator", "--quiet", "-V", "-o", self.folder / "shader.spv", self.folder / "shader.comp"], check=True)
+        values = on_vulkan(self.folder / "shader.spv", rows=256 * pictures)[1].astype(float).reshape(-1, 256, 256)
+        self.assertTrue(np.isfinite(values).all())
+        return values[:16].ravel(), values[16:]
+
+    def test_they_have_the_deviation_and_size_of_webgl_noise(self):
+        """The README's table has those of webgl-noise, and the shim's."""
+        calls = {"snoise(vec2)": "snoise(p.xy)", "snoise(vec3)": "snoise(p)", "cnoise(vec2)": "cnoise(p.xy)", "cnoise(vec3)": "cnoise(p)",
+                 "pnoise(vec2, vec2)": "pnoise(p.xy, vec2(50.0, 64.0))", "pnoise(vec3, vec3)": "pnoise(p, vec3(50.0, 64.0, 36.0))"}
+        rows = re.findall(r"(?m)^\| (`[scp]noise.*) \| ([\d.]+), ([\d.]+) \| ([\d.]+), ([\d.]+) \| ([\d.]+) % \|$",
+                          (NODES / "shims" / "README.md").read_text())
+        facts = {call: [float(each) for each in row] for names, *row in rows for call in re.findall("`(.*?)`", names)}
+        self.assertEqual(set(facts), set(calls))
+        window, along = np.hanning(256), np.fft.fftfreq(256, 1 / 6)
+        cycles = np.hypot(along[:, None], along)
+        for name, (deviation, ours, centroid, our_centroid, beyond) in facts.items():
+            values, pictures = self.drawn(calls[name])
+            pictures = pictures - pictures.mean((1, 2), keepdims=True)
+            power = (np.abs(np.fft.fft2(window[:, None] * window * pictures)) ** 2).mean(0)
+            found = values.std(), (power * cycles).sum() / power.sum()
+            print(f"{name}: mean {values.mean():.4f}, deviation {found[0]:.4f}, webgl-noise {deviation}; centroid {found[1]:.3f}, "
+                  f"webgl-noise {centroid}; beyond 1 {100 * (np.abs(values) > 1).mean():.2f} %")
+            with self.subTest(name):
+                self.assertLess(abs(values.mean()), 0.003)
+                self.assertLess(abs(found[0] / deviation - 1), 0.01)
+                self.assertLess(abs(found[0] / ours - 1), 0.005)
+                self.assertLess(abs(found[1] / centroid - 1), 0.03)
+                self.assertLess(abs(found[1] / our_centroid - 1), 0.02)
+                self.assertLess(abs(100 * (np.abs(values) > 1).mean() - beyond), 0.06)
+
+    def test_pnoise_repeats(self):
+        for one, other in (("pnoise(p.xy, vec2(7.0, 3.0))", "pnoise(p.xy + vec2(14.0, -3.0), vec2(7.0, 3.0))"),
+                           ("pnoise(p, vec3(7.0, 3.0, 4.0))", "pnoise(p + vec3(7.0, -6.0, 4.0), vec3(7.0, 3.0, 4.0))"),
+                           ("pnoise(p.xy, vec2(0.0))", "cnoise(p.xy)"), ("pnoise(p, vec3(0.0))", "cnoise(p)")):
+            values, _ = self.drawn(f"{one} - {other}", 1)
+            print(f"{one} and {other} differ by at most {np.abs(values).max():.1e}")
+            self.assertLess(np.abs(values).max(), 5e-4)
+            self.assertGreater(self.drawn(one, 1)[0].std(), 0.25)
+
+
 class ByHand(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))

@@ -1,20 +1,28 @@
 // A Vulkan layer that makes one device function fail, chosen by GABOR_FAULT: `vkAllocateMemory:3` fails the
 // third call and all later ones. Functions that allocate report that device memory is exhausted; functions
-// that execute report a lost device.
+// that execute report a lost device. GABOR_FAULT_TYPES, such as `42`, gives devices these
+// VkPhysicalDeviceTypes, a digit each, in the order in which the program asks for them, and calls them
+// "device 0", "device 1", ....
 
 #include <vulkan/vk_layer.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace {
 
 PFN_vkGetInstanceProcAddr next_instance_function = nullptr;
 PFN_vkGetDeviceProcAddr next_device_function = nullptr;
+
+PFN_vkGetPhysicalDeviceProperties next_properties = nullptr; // of the program's only instance
+PFN_vkGetPhysicalDeviceProperties2 next_properties_2 = nullptr;
 
 VkDevice device = VK_NULL_HANDLE; // the program creates only one
 
@@ -69,13 +77,46 @@ auto take_link(const Info* info, VkStructureType type) {
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo* info,
-                                               const VkAllocationCallbacks* callbacks, VkInstance* instance) {
+                                               const VkAllocationCallbacks* callbacks, VkInstance* created) {
     const auto* layer =
         take_link<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     next_instance_function = layer->pfnNextGetInstanceProcAddr;
     const auto create =
         reinterpret_cast<PFN_vkCreateInstance>(next_instance_function(nullptr, "vkCreateInstance"));
-    return create(info, callbacks, instance);
+    const VkResult result = create(info, callbacks, created);
+    if (result == VK_SUCCESS) {
+        next_properties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
+            next_instance_function(*created, "vkGetPhysicalDeviceProperties"));
+        next_properties_2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(
+            next_instance_function(*created, "vkGetPhysicalDeviceProperties2"));
+    }
+    return result;
+}
+
+// Replaces the type and the name of a device.
+void retype(VkPhysicalDevice physical, VkPhysicalDeviceProperties& properties) {
+    static std::vector<VkPhysicalDevice> seen;
+    const char* types = std::getenv("GABOR_FAULT_TYPES");
+    if (!types)
+        return;
+    if (std::ranges::find(seen, physical) == seen.end())
+        seen.push_back(physical);
+    const auto index = static_cast<std::size_t>(std::ranges::find(seen, physical) - seen.begin());
+    if (index < std::strlen(types)) {
+        properties.deviceType = static_cast<VkPhysicalDeviceType>(types[index] - '0');
+        std::snprintf(properties.deviceName, sizeof properties.deviceName, "device %zu", index);
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
+    next_properties(physical, properties);
+    retype(physical, *properties);
+}
+
+VKAPI_ATTR void VKAPI_CALL get_properties_2(VkPhysicalDevice physical,
+                                            VkPhysicalDeviceProperties2* properties) {
+    next_properties_2(physical, properties);
+    retype(physical, properties->properties);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
@@ -119,7 +160,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetDeviceProcAddr(VkDevice of, const 
     return own ? own : next_device_function(of, name);
 }
 
-VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance, const char* name) {
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance of, const char* name) {
     const std::string_view wanted = name;
     if (wanted == "vkGetInstanceProcAddr")
         return any(vkGetInstanceProcAddr);
@@ -129,6 +170,10 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instan
         return any(create_instance);
     if (wanted == "vkCreateDevice")
         return any(create_device);
-    return next_instance_function ? next_instance_function(instance, name) : nullptr;
+    if (wanted == "vkGetPhysicalDeviceProperties")
+        return any(get_properties);
+    if (wanted == "vkGetPhysicalDeviceProperties2")
+        return any(get_properties_2);
+    return next_instance_function ? next_instance_function(of, name) : nullptr;
 }
 }

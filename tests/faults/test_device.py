@@ -1,13 +1,14 @@
 """If the device runs out of memory or is lost, at any call, the program exits with status 1, prints one line, writes no
 file and leaves an older one as it was. The layer in layer.cpp injects the faults."""
 
+import itertools
 import os
 import pathlib
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
-from program import ProgramTest, gabor  # noqa: E402
+from program import LAVAPIPE, ProgramTest, gabor  # noqa: E402
 
 LAB = os.environ["GABOR_LAB"]
 LAYER = os.environ["GABOR_FAULT_LAYER"]
@@ -41,6 +42,20 @@ class Device(ProgramTest):
                     (self.folder / "old.exr").write_text("older")
                     (self.folder / "new.exr").unlink(missing_ok=True)
                     self.fail_at_every_call(function, words, least, "render", "-o", output, *SEVERAL_BANDS)
+
+    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, which the loader lists twice")
+    def test_the_fastest_kind_of_device_is_chosen(self):
+        other, integrated, discrete, virtual, cpu = range(5)
+        order = [discrete, integrated, virtual, cpu, other]
+        for name in "one.json", "two.json":
+            (self.folder / name).write_text(pathlib.Path(LAVAPIPE).read_text())
+        drivers = f"{self.folder}/one.json:{self.folder}/two.json"
+        for first, second in itertools.permutations(order, 2):
+            result = gabor("render", "-o", "out.exr", "--size=8x8", cwd=self.folder,
+                           env=broken("none", 1) | {"VK_ICD_FILENAMES": drivers, "VK_DRIVER_FILES": None, "GABOR_FAULT_TYPES": f"{first}{second}"})
+            self.assertEqual(result.returncode, 0, result.stderr)
+            best = int(order.index(second) < order.index(first))
+            self.assertIn(f"on device {best}", result.stdout + result.stderr, (first, second))
 
     def test_a_loss_during_a_study_is_reported(self):
         result = gabor("study", "figure1", "--quick", "-o", ".", command=(LAB,), cwd=self.folder,

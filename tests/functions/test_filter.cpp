@@ -101,8 +101,7 @@ double gradient_variance(double frequency, const Vector<N>& nodes) {
     return variance;
 }
 
-// Errors relative to the deviations of the unfiltered noise and gradient. The gradient is also compared with
-// the differences of the filtered noise itself.
+// Errors relative to the deviations of the unfiltered noise and gradient.
 template <std::size_t N>
 class Error {
   public:
@@ -128,33 +127,18 @@ class Error {
                          s);
     }
     void see(const Sample<N>& s, const Noise<N>& noise) {
-        const double variance = gradient_variance(s.frequency, s.place.radius);
-        const auto found = noise.filtered(s);
-        see(s, found, noise.reference(s), variance);
-        for (std::size_t axis = 0; axis < N; ++axis) {
-            constexpr double step = 0x1p-8; // node spacings
-            const auto beside = [&](double nodes) {
-                Sample<N> moved = s;
-                moved.place.local[axis] += nodes;
-                return double{noise.filtered(moved).noise};
-            };
-            const double slope = (beside(step) - beside(-step)) / (2 * step) * s.place.radius[axis];
-            differences_ += std::pow(found.gradient[static_cast<int>(axis)] - slope, 2) / variance;
-        }
+        see(s, noise.filtered(s), noise.reference(s), gradient_variance(s.frequency, s.place.radius));
     }
 
-    void check(const std::string& name, double bound, double slope_bound, double difference_bound = 0.03,
-               double largest = 1) const {
-        const double rmse = std::sqrt(squares_ / count_), slope_rmse = std::sqrt(slope_squares_ / count_),
-                     from_differences = std::sqrt(2 * differences_ / count_);
-        fmt::print("  {}: {:.3f} {:.2f}, gradient {:.2f}, from differences {:.2f}\n", name, 100 * rmse,
-                   100 * largest_, 100 * slope_rmse, 100 * from_differences);
+    void check(const std::string& name, double bound, double slope_bound, double largest = 1) const {
+        const double rmse = std::sqrt(squares_ / count_), slope_rmse = std::sqrt(slope_squares_ / count_);
+        fmt::print("  {}: {:.3f} {:.2f}, gradient {:.2f}\n", name, 100 * rmse, 100 * largest_,
+                   100 * slope_rmse);
         INFO(name);
         CHECK(count_ >= 20);
         CHECK(rmse <= bound);
         CHECK(largest_ <= largest);
         CHECK(slope_rmse <= slope_bound);
-        CHECK(from_differences <= difference_bound);
         removed_.check("  removed variance");
     }
 
@@ -163,7 +147,6 @@ class Error {
     double squares_ = 0;
     double largest_ = 0;
     double slope_squares_ = 0;
-    double differences_ = 0;
     Largest removed_;
 };
 
@@ -191,7 +174,7 @@ struct Shape {
     double ratio, angle;
 };
 struct Size {
-    double deviation, bound, slope_bound = 0.1, difference_bound = 0.03;
+    double deviation, bound, slope_bound = 0.1;
 };
 
 // Checks pixels of each size and shape in a plane, at `count` points each.
@@ -200,7 +183,7 @@ void check_table(const Noise<N>& noise, int count, std::initializer_list<Size> s
                  std::initializer_list<Shape> shapes, std::initializer_list<double> frequencies,
                  const auto& plane_of) {
     Random random(32);
-    for (const auto& [deviation, bound, slope_bound, difference_bound] : sizes)
+    for (const auto& [deviation, bound, slope_bound] : sizes)
         for (const auto& [ratio, angle] : shapes)
             for (const double frequency : frequencies) {
                 Error<N> error;
@@ -213,7 +196,7 @@ void check_table(const Noise<N>& noise, int count, std::initializer_list<Size> s
                 }
                 error.check(fmt::format("{}, deviation {:.3f} x {:.1f} at {:.2f}, frequency {}", noise.name,
                                         deviation, ratio, angle, frequency),
-                            bound, slope_bound, difference_bound);
+                            bound, slope_bound);
             }
 }
 
@@ -313,7 +296,43 @@ TEST_CASE("the filter agrees with quadrature where windows end", "[spectrum][ora
         set_any_pixel(s, random, -3.5);
         error.see(s, plane);
     }
-    error.check("at the ends of windows", 0.004, 0.035, 0.03, 0.04);
+    error.check("at the ends of windows", 0.004, 0.035, 0.04);
+}
+
+// Where windows end, and the filter's form fades, a gradient could have thin lines that averages over the
+// plane hide.
+void check_gradients_across_a_cell(const Noise<2>& noise, std::initializer_list<double> deviations,
+                                   double bound, double pooled_bound) {
+    constexpr int places = 20, instances = 60;
+    Random random(44);
+    for (const double deviation : deviations) {
+        double pooled = 0;
+        for (int place = 0; place < places; ++place) {
+            double squares = 0;
+            for (int i = 0; i < instances; ++i) {
+                Sample<2> s = somewhere<2>(random, i % 3 / 2.0);
+                s.place.local[i % 2] = static_cast<float>((place + 0.5) / places);
+                set_pixel(s, random_plane<2>(random), random.uniform(-3, 3), deviation, 1);
+                const auto exact = noise.reference(s).filtered(s.place, s.dx, s.dy);
+                const auto found = noise.filtered(s).gradient;
+                squares += (std::pow(found.x - exact.slope[0].imag(), 2) +
+                            std::pow(found.y - exact.slope[1].imag(), 2)) /
+                           gradient_variance(s.frequency, s.place.radius) / instances;
+            }
+            pooled += squares / places;
+            INFO(fmt::format("{}, deviation {}, place {}: {}", noise.name, deviation, place,
+                             std::sqrt(squares)));
+            CHECK(std::sqrt(squares) <= bound);
+        }
+        fmt::print("  {}, deviation {}: gradient's error {:.3f}\n", noise.name, deviation, std::sqrt(pooled));
+        CHECK(std::sqrt(pooled) > 0);
+        CHECK(std::sqrt(pooled) <= pooled_bound);
+    }
+}
+
+TEST_CASE("filtered gradients have no lines", "[spectrum][oracle][filter]") {
+    check_gradients_across_a_cell(plane, {0.03, 0.06, 0.095, 0.166, 0.3, 0.5}, 0.12, 0.03);
+    check_gradients_across_a_cell(isotropic, {0.03, 0.06, 0.1, 0.15, 0.2}, 0.2, 0.08);
 }
 
 TEST_CASE("gabor_noise_filtered is the filtered field of its wave", "[spectrum][oracle][filter]") {
@@ -337,20 +356,18 @@ TEST_CASE("gabor_noise_filtered is the filtered field of its wave", "[spectrum][
 
 TEST_CASE("the filter in the plane errs by at most 1 % for pixels up to 1/3 radius, and 2 % up to 1 radius",
           "[spectrum][filter][law]") {
-    check_table(
-        plane, 40,
-        {{0.08, 0.01}, {1.0 / 6, 0.01}, {0.25, 0.02}, {0.354, 0.02, 0.1, 0.08}, {0.5, 0.02, 0.1, 0.08}},
-        {{1, 0}, {0.3, pi / 8}, {0.3, 2}, {0, 0}, {0, pi / 8}, {0, pi / 4}}, {0, 0.25, 0.5, 1, 2},
-        [](const auto&) {
-            return Plane<2>{{{1, 0}, {0, 1}}};
-        });
+    check_table(plane, 40, {{0.08, 0.01}, {1.0 / 6, 0.01}, {0.25, 0.02}, {0.354, 0.02}, {0.5, 0.02}},
+                {{1, 0}, {0.3, pi / 8}, {0.3, 2}, {0, 0}, {0, pi / 8}, {0, pi / 4}}, {0, 0.25, 0.5, 1, 2},
+                [](const auto&) {
+                    return Plane<2>{{{1, 0}, {0, 1}}};
+                });
 }
 
 // Of all pixel shapes, a diagonal line has the largest error: 1.81 % at frequency 0. Estimates from 300
 // points vary by 4 % of that.
 TEST_CASE("the filter in 3D errs by at most 1 % for pixels up to 1/3 radius, and 2 % up to 1 radius",
           "[space][filter][law]") {
-    check_table(solid, 300, {{1.0 / 6, 0.01}, {0.5, 0.02, 0.1, 0.08}}, {{0, 0.8}, {1, 0.8}}, {0, 0.5, 2},
+    check_table(solid, 300, {{1.0 / 6, 0.01}, {0.5, 0.02}}, {{0, 0.8}, {1, 0.8}}, {0, 0.5, 2},
                 [](const auto&) {
                     return plane_across(unit(Vector<3>{1, 2, 3}));
                 });
@@ -359,13 +376,13 @@ TEST_CASE("the filter in 3D errs by at most 1 % for pixels up to 1/3 radius, and
 TEST_CASE("the filter of isotropic noise errs by at most 2 % for pixels up to 0.3 radii, and 4 % up to 0.4 "
           "radii in the plane",
           "[isotropic][space][filter]") {
-    check_table(isotropic, 150, {{0.05, 0.006, 0.035}, {0.15, 0.02, 0.21, 0.06}, {0.2, 0.04, 0.36, 0.08}},
+    check_table(isotropic, 150, {{0.05, 0.006, 0.02}, {0.15, 0.02, 0.085}, {0.2, 0.04, 0.125}},
                 {{1, 0}, {0.3, 0.5}, {0.3, 2}}, {0, 1, 3}, [](const auto&) {
                     return Plane<2>{{{1, 0}, {0, 1}}};
                 });
     for (const auto& noise : {isotropic_3d, isotropic_surface})
-        check_table(noise, 11, {{0.03, 0.02, 0.03}, {0.15, 0.02, 0.28, 0.07}}, {{0, 0.5}, {1, 0.5}},
-                    {0, 1, 2.5}, [](const auto& s) { return plane_across(unit(s.normal)); });
+        check_table(noise, 11, {{0.03, 0.02, 0.015}, {0.15, 0.02, 0.1}}, {{0, 0.5}, {1, 0.5}}, {0, 1, 2.5},
+                    [](const auto& s) { return plane_across(unit(s.normal)); });
 }
 
 TEST_CASE("the variance that the filter removes from isotropic noise is right for any pixel",

@@ -428,6 +428,58 @@ TEST_CASE("boards have the asked shapes, shifts and turns, and repeat", "[materi
     }
 }
 
+TEST_CASE("a board's pixel is the pixel of its material", "[materials]") {
+    GaborBoards boards = gabor_boards_default();
+    boards.turned_share = 0.5f;
+    Random random(5);
+    gabor::test::Largest largest;
+    int turned = 0, seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 p = random.uniform<Vec2>(-9, 9), dx = random.uniform<Vec2>(-0.01f, 0.01f),
+                   dy = random.uniform<Vec2>(-0.01f, 0.01f);
+        const GaborBoard here = gabor_board(p, dx, dy, Vec2(0), boards, 7);
+        for (const auto& [step, pixel] : {std::pair(dx, here.dx), {dy, here.dy}}) {
+            const GaborBoard there = gabor_board(p + step, dx, dy, Vec2(0), boards, 7);
+            if (there.seed != here.seed)
+                continue; // another board
+            ++seen;
+            const auto name = [&] { return fmt::format("({}, {})", p.x, p.y); };
+            largest.see(wide(pixel.x), wide(there.position.x) - wide(here.position.x), 4e-6, name);
+            largest.see(wide(pixel.y), wide(there.position.y) - wide(here.position.y), 4e-6, name);
+            turned += here.rotation.y > 0.5f;
+        }
+    }
+    largest.check("a board's pixel");
+    CHECK(turned > seen / 3);
+}
+
+TEST_CASE("a pixel of several boards has their mean shade, whichever way it is long", "[materials]") {
+    const GaborBoards boards = gabor_boards_default();
+    Random random(6);
+    for (const Vec2 longest : {Vec2(30, 0), Vec2(0, 30), Vec2(20, -20)})
+        for (int i = 0; i < 100; ++i) {
+            const GaborBoard b =
+                gabor_board(random.uniform<Vec2>(-9, 9), longest, Vec2(0.01f, 0.01f), Vec2(0), boards, 7);
+            CHECK(b.shade == Approx(1 - 0.5f * boards.shade_variation).epsilon(1e-4));
+        }
+}
+
+TEST_CASE("a joint is as rough as its board, and at least 0.8, and no metal", "[materials]") {
+    const GaborBoards boards = gabor_boards_default();
+    GaborBoard joint = gabor_board(Vec2(0.3f, 0.7f), Vec2(0), Vec2(0), Vec2(0), boards, 7);
+    joint.joint_cover.x = 1;
+    for (const float roughness : {0.1f, 0.8f, 0.95f}) {
+        GaborMaterial material = gabor_wood(Vec2(0), 7);
+        material.roughness = roughness;
+        material.metalness = 1;
+        const GaborMaterial laid = gabor_laid(material, joint, boards);
+        CHECK(laid.roughness == Approx(std::max(roughness, 0.8f)));
+        CHECK(laid.metalness == 0);
+        CHECK(laid.height == Approx(-boards.joint_depth));
+        CHECK(laid.colour.x == Approx(boards.joint_colour.x));
+    }
+}
+
 TEST_CASE("joints cover no board more than once, however wide they are", "[materials]") {
     GaborBoards boards = gabor_boards_default();
     boards.joint_width = 0.2f;

@@ -84,7 +84,7 @@ Place anywhere(Random& random) {
     return {{static_cast<int>(random.word() % 200000) - 100000,
              static_cast<int>(random.word() % 200000) - 100000},
             random.uniform<gabor_vec2>(0, 1),
-            static_cast<int>(random.word() % 10000000),
+            static_cast<int>(random.word() % 20000000) - 10000000,
             random.uniform(0, 1),
             random.word()};
 }
@@ -92,7 +92,77 @@ Place anywhere(Random& random) {
 const GaborOcean seas[]{gabor_ocean(12), gabor_ocean_of(3, 0.8f, 3e3f, {0, 0, 0}, 0),
                         gabor_ocean_of(22, -2.5f, 8e5f, {0, 0, 0}, 0)};
 
+double power_of(const GaborOceanBand& band) {
+    return static_cast<double>(band.amplitude * band.amplitude);
+}
+
 } // namespace
+
+// A sea is fully developed where the wind has blown over 2.15e4 wind^2 / g: at 3 m/s, 20 km. Beyond the
+// ranges, each argument is as at its end.
+TEST_CASE("the sea grows with wind and fetch up to a fully developed one, and within the ranges", "[ocean]") {
+    double before = 0;
+    for (const float wind : {2.0f, 3.0f, 5.0f, 8.0f, 12.0f, 20.0f, 30.0f})
+        for (const float fetch : {1e3f, 2e4f, 2e5f, 1e6f}) {
+            const GaborOcean sea = gabor_ocean_of(wind, 0, fetch, {0, 0, 0}, 0);
+            double expected = 0, found = 0, slopes = 0;
+            for (const Wave& wave : waves(wind, 0, fetch, lowest(sea), highest(sea), 20000, 1))
+                expected += wave.power;
+            for (const GaborOceanBand& band : sea.band) {
+                found += power_of(band);
+                slopes += static_cast<double>(band.slopes.x + band.slopes.y);
+            }
+            INFO(wind << " m/s, " << fetch << " m: " << 4 * std::sqrt(found) << " m");
+            CHECK(found == Approx(expected).epsilon(0.02));
+            CHECK((sea.tail.x >= 0 && sea.tail.y >= 0));
+            // Cox and Munk: 0.003 + 0.00512 wind in all, of which the bands have at most 1.8 times that
+            CHECK(slopes < 1.8 * (0.003 + 0.00512 * static_cast<double>(wind)) + 1e-3);
+            if (fetch == 1e6f) {
+                CHECK(found > before);
+                before = found;
+            }
+        }
+    // At 3 m/s, a fully developed sea is 0.28 m high.
+    double calm = 0;
+    for (const GaborOceanBand& band : gabor_ocean(3).band)
+        calm += power_of(band);
+    CHECK(4 * std::sqrt(calm) == Approx(0.28).margin(0.01));
+
+    const auto same = [](const GaborOcean& beyond, const GaborOcean& end) {
+        CHECK(beyond.wind == end.wind);
+        CHECK(beyond.fetch == end.fetch);
+        CHECK(beyond.loop_seconds == end.loop_seconds);
+        CHECK(beyond.tail.x == end.tail.x);
+        for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
+            CHECK(beyond.band[i].amplitude == end.band[i].amplitude);
+            CHECK(beyond.band[i].low == end.band[i].low);
+            CHECK(beyond.band[i].drift.x == end.band[i].drift.x);
+        }
+    };
+    const auto of = [](float wind, float fetch, float height, float period, int loop) {
+        return gabor_ocean_of(wind, 0, fetch, {height, period, 0}, loop);
+    };
+    same(of(0, 2e5f, 1, 10, 0), of(2, 2e5f, 1, 10, 0));
+    same(of(-5, 2e5f, 1, 10, 0), of(2, 2e5f, 1, 10, 0));
+    same(of(99, 2e5f, 1, 10, 0), of(30, 2e5f, 1, 10, 0));
+    same(of(12, 0, 1, 10, 0), of(12, 1e3f, 1, 10, 0));
+    same(of(12, 9e9f, 1, 10, 0), of(12, 1e6f, 1, 10, 0));
+    same(of(12, 2e5f, -1, 10, 0), of(12, 2e5f, 0, 10, 0));
+    same(of(12, 2e5f, 99, 10, 0), of(12, 2e5f, 30, 10, 0));
+    same(of(12, 2e5f, 1, 1, 0), of(12, 2e5f, 1, 5, 0));
+    same(of(12, 2e5f, 1, 99, 0), of(12, 2e5f, 1, 25, 0));
+    for (const auto& [asked, given] : {std::pair(1, 8),
+                                       {8, 8},
+                                       {9, 8},
+                                       {15, 8},
+                                       {16, 16},
+                                       {100, 64},
+                                       {4095, 2048},
+                                       {4096, 4096},
+                                       {99999, 4096},
+                                       {-3, 0}})
+        CHECK(of(12, 2e5f, 1, 10, asked).loop_seconds == given);
+}
 
 TEST_CASE("heights and slopes of the sea have the spectrum's variance and are normal", "[ocean][law]") {
     for (const GaborOcean& sea : seas) {
@@ -276,11 +346,14 @@ TEST_CASE("the sea moves on without a jump, after any time", "[ocean]") {
     for (int bit = 0; bit < 31; ++bit)
         for (const GaborOcean& sea : {seas[0], seas[1], seas[2], ripples}) {
             Place place = anywhere(random);
-            place.second = static_cast<int>((std::uint32_t{1} << bit) - 1);
-            place.fraction = 1;
-            const GaborWater before = place.water(sea, 0, 0, -1e-6);
-            jump.see(place.water(sea).height, before.height, 1e-3,
-                     [&] { return fmt::format("second 2^{}", bit); });
+            const auto second = static_cast<int>((std::uint32_t{1} << bit) - 1);
+            for (const int last : {second, -second - 2}) {
+                place.second = last;
+                place.fraction = 1;
+                const GaborWater before = place.water(sea, 0, 0, -1e-6);
+                jump.see(place.water(sea).height, before.height, 1e-3,
+                         [&] { return fmt::format("after second {}", last); });
+            }
         }
     jump.check("height");
 }

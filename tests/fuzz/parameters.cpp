@@ -1,6 +1,6 @@
 // Reads a request as JSON. It must be refused, or stay the same when it is written and read again.
 
-#include "render/parameters.hpp"
+#include "render/request/parameters.hpp"
 #include "error.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "../image/scratch_folder.hpp"
 #include "image/exr.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -82,6 +82,59 @@ TEST_CASE("the variances of the lattice noise and its derivatives are the same a
     }
 }
 
+TEST_CASE("second derivatives jump where windows end, as docs/lattice.md says", "[lattice]") {
+    // The root mean square of the jump, relative to the standard deviation, of the second derivative along an
+    // axis of a noise with `frequency` along that axis. Along the other axis, windows are factors that
+    // cancel.
+    const auto jump = [](int taps, double frequency) {
+        const double turn = 2 * pi * frequency;
+        const double end = taps % 2 / 2.0;
+        double change = 0, power = 0;
+        const auto before = windows(taps, end - 1e-9), after = windows(taps, end + 1e-9);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            change += std::pow(after[i].curvature - before[i].curvature, 2);
+        for (const LatticeWindow& w : windows(taps, 0.2))
+            power += std::norm(std::complex(w.curvature - turn * turn * w.value, 2 * turn * w.slope));
+        return std::sqrt(change / power);
+    };
+    CHECK(jump(3, 0) == Approx(2 / std::sqrt(3.0)).epsilon(1e-6));
+    CHECK(std::abs(jump(3, 1) - 0.14) < 0.005);
+    CHECK(jump(4, 0) == Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("noises of a frequency and its double with one seed are correlated, as docs/lattice.md says",
+          "[lattice]") {
+    // At a node: the noises are K Im sum A_c w_c e^(-2 pi i F.c), so that E[n_F n_2F] = K^2 sum_c w_c^2 cos 2
+    // pi F.c.
+    double least = 1, most = 0, lowest_mean = 1, highest_mean = 0;
+    for (double frequency = 1; frequency <= 40; frequency += 0.25) {
+        double mean = 0;
+        constexpr int directions = 180;
+        for (int i = 0; i < directions; ++i) {
+            const auto along = [&](double wave) {
+                double sum = 0;
+                for (int k = -2; k <= 2; ++k)
+                    sum += std::pow(lattice_window(3, k / 1.5).value, 2) * std::cos(2 * pi * wave * k / 1.5);
+                return sum / lattice_energy(3);
+            };
+            const double angle = pi * i / directions;
+            const double correlation =
+                along(frequency * std::cos(angle)) * along(frequency * std::sin(angle));
+            least = std::min(least, correlation);
+            most = std::max(most, correlation);
+            mean += correlation / directions;
+        }
+        lowest_mean = std::min(lowest_mean, mean);
+        highest_mean = std::max(highest_mean, mean);
+    }
+    fmt::print("correlations {:.3f} to {:.3f}, means over directions {:.3f} to {:.3f}\n", least, most,
+               lowest_mean, highest_mean);
+    CHECK(std::abs(least - 0.60) < 0.01);
+    CHECK(std::abs(most - 1.0) < 0.01);
+    CHECK(std::abs(lowest_mean - 0.72) < 0.005);
+    CHECK(std::abs(highest_mean - 0.84) < 0.006);
+}
+
 TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
     for (const int taps : {3, 4}) {
         const auto amplitude = [&](double frequency) {

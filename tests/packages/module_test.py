@@ -405,6 +405,13 @@ class Erosion(unittest.TestCase):
             bends = np.abs(np.roll(tile, 1, axis) - 2 * tile + np.roll(tile, -1, axis)).mean(1 - axis)
             self.assertLess(max(bends[0], bends[-1]), 2 * bends.mean())  # with the period of the other axis: 3 times
 
+    def test_slopes_of_a_tile_are_right_at_the_edges_too(self):
+        x, y = gn.grid((80, 160), 20)
+        tile = gn.erode(np.sin(np.pi / 2 * x + 0.8) + np.cos(np.pi * y + 0.8), 8, tileable=True, octaves=0, dtype=np.float64)
+        for channel, axis in ((1, 1), (2, 0)):
+            height = tile[..., 0]
+            np.testing.assert_allclose(tile[..., channel], (np.roll(height, -1, axis) - np.roll(height, 1, axis)) * 10, rtol=0, atol=1e-4)
+
 
 @unittest.skipUnless(sys.argv[1:], "no folder of python.md given")
 class Documentation(unittest.TestCase):

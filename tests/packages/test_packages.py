@@ -126,10 +126,10 @@ class Npm(Package):
         (project / "package.json").write_text('{"private": true}')
         run("npm", "install", "--offline", "--no-audit", "--no-fund", self.archives[0], self.folder / "three-0.187.0.tgz", cwd=project)
         installed = project / "node_modules" / "gabor-noise"
-        three_nodes = SHADERS / "nodes" / "three"
+        carried = [SHADERS / "nodes" / name / file for name in ("three", "shims") for file in tracked(SHADERS / "nodes" / name)]
         self.assertEqual(named(installed.rglob("*"), installed), {"LICENSE", "README.md", "package.json", "index.js", "index.d.ts",
                                                                   *(f"shaders/{name}" for name in texts()),
-                                                                  *named((three_nodes / name for name in tracked(three_nodes)), ROOT)})
+                                                                  *named(carried, ROOT)})
         described = json.loads((installed / "package.json").read_text())
         self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 needs it to recognize modules
 
@@ -441,6 +441,10 @@ class Blender(Node):
         run(sys.executable, "-B", validators[0], "validate", self.archives[0])
 
 
+class Shims(Node):
+    copied = {name: name for name in ("gabor_noise.glsl", "gabor_fractal.glsl")}
+
+
 class Cpp(Node):
     copied = {path.name: f"translations/{path.name}" for path in DROP_INS if path.suffix == ".hpp"}
 
@@ -545,7 +549,7 @@ PLAIN = {  # nodes that need no more than Node checks: the texts that their file
     "three": {},
     "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]},
 }
-NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity, *(type(name.title(), (Node,), {"included": included})
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shims, Unity, *(type(name.title(), (Node,), {"included": included})
                                                             for name, included in PLAIN.items())]
 
 
@@ -554,7 +558,7 @@ MANIFESTS = {  # what registries and engines read from each
     "package.json": {
         "name": "gabor-noise", "version": "@VERSION@", "license": "MIT", "author": AUTHORS, "homepage": f"{ADDRESS}#readme", "type": "module",
         "repository": {"type": "git", "url": f"git+{ADDRESS}.git"}, "bugs": f"{ADDRESS}/issues", "sideEffects": False,
-        "files": ["index.js", "index.d.ts", "shaders/gabor_*.glsl", "shaders/translations", "shaders/nodes/three"],
+        "files": ["index.js", "index.d.ts", "shaders/gabor_*.glsl", "shaders/translations", "shaders/nodes/three", "shaders/nodes/shims"],
         "exports": {".": "./index.js", "./shaders/*": "./shaders/*", "./package.json": "./package.json"},
         "peerDependencies": {"three": ">=" + json.loads((ROOT / "tests/engines/three/package.json").read_text())["dependencies"]["three"]},
         "peerDependenciesMeta": {"three": {"optional": True}}},
@@ -751,7 +755,7 @@ class Release(Folder):
         super().setUp()
         repository(self.folder, filter(re.compile(
             "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|README.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-            "host/lab/passes/bench/|host/render/struct_rows|host/render/presets/)").match, tracked(ROOT)))
+            "host/lab/passes/bench/|host/render/request/struct_rows|host/render/request/presets/)").match, tracked(ROOT)))
 
     def release(self, *arguments):
         return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)

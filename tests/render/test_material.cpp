@@ -11,10 +11,10 @@
 
 #include "golden/file.hpp"
 #include "largest.hpp"
-#include "render/load.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/load.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 #include <catch2/catch.hpp>
@@ -89,6 +89,10 @@ const Material materials[]{
         "carbon-fibre"),
     made<GaborStrata, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at>("strata")};
 
+Request request_of(std::string_view material) {
+    return {.kind = render::Kind::material, .material = std::string(material)};
+}
+
 // Returns the parameters of a request's material as packed numbers, without the padding of a GPU buffer.
 std::vector<float> numbers_of(const Request& request) {
     std::vector<float> numbers;
@@ -100,7 +104,7 @@ std::vector<float> numbers_of(const Request& request) {
             for (const double part : *colour)
                 numbers.push_back(static_cast<float>(part));
         else
-            numbers.push_back(static_cast<float>(p.kind == render::Parameter::Kind::angle
+            numbers.push_back(static_cast<float>(p.type == render::Parameter::Type::angle
                                                      ? noise::radians(std::get<double>(*value))
                                                      : std::get<double>(*value)));
     }
@@ -118,7 +122,7 @@ void randomize(Request& request, std::mt19937& random) {
             continue;
         const auto [low, high] = p.range;
         const double share = unit();
-        if (p.kind == render::Parameter::Kind::colour)
+        if (p.type == render::Parameter::Type::colour)
             p.place.put(request, std::array{0.02 + 0.3 * share, 0.02 + 0.3 * unit(), 0.02 + 0.3 * unit()});
         else
             p.place.put(request, low > 0 ? low * std::pow(high / low, share) : low + share * (high - low));
@@ -222,7 +226,7 @@ TEST_CASE("materials with random parameters have this version's golden values", 
         const float turn = static_cast<float>(point);
         const gabor_vec2 period{6 + 5.5f * std::sin(turn), 6 + 5.5f * std::sin(2 * turn + 1)};
         for (const Material& material : materials) {
-            Request request{.material = std::string(material.name)};
+            Request request = request_of(material.name);
             randomize(request, random);
             const auto see = [&](std::string_view form, const Pixel& pixel) {
                 const GaborMaterial found =
@@ -247,7 +251,7 @@ TEST_CASE("materials with random parameters have this version's golden values", 
             rows.see(fmt::format("defaults of {}", material.name), defaults);
             for (const render::Parameter& parameter :
                  render::parameters()) // the brightest colours are clamped
-                if (parameter.kind == render::Parameter::Kind::colour && parameter.get(request))
+                if (parameter.type == render::Parameter::Type::colour && parameter.get(request))
                     parameter.place.put(request, std::array{1.0, 1.0, 1.0});
             for (const Pixel& pixel : {Pixel{p}, Pixel{p, dx, dy}})
                 clamped &= is_in_range(
@@ -260,7 +264,7 @@ TEST_CASE("materials with random parameters have this version's golden values", 
 }
 
 TEST_CASE("cords of filtered fabric are close to their mean over a pixel", "[material]") {
-    Request request{.material = "fabric"};
+    Request request = request_of("fabric");
     for (const auto& [name, number] : {std::pair("threads", 60.0), {"relief", 2.0}, {"cords", 20.0}})
         render::set(request, fmt::format("fabric.{}", name), number);
     compare(materials[1], numbers_of(request));
@@ -297,7 +301,7 @@ TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[materia
         double largest = 0;
         double largest_error = 0;
         for (int i = 0; i < settings;) {
-            Request request{.material = std::string(material.name)};
+            Request request = request_of(material.name);
             if (i > 0) // the first settings are the defaults
                 randomize(request, random);
             const std::vector<float> numbers = numbers_of(request);
@@ -344,7 +348,7 @@ TEST_CASE("every material repeats after its period without a seam", "[material]"
     std::mt19937 random(5);
     for (const Material& material : materials)
         for (const bool filter : {false, true}) {
-            Request request{.material = std::string(material.name)};
+            Request request = request_of(material.name);
             randomize(request, random);
             const std::vector<float> numbers = numbers_of(request);
             const auto at = [&](float x, float y) {
@@ -381,7 +385,7 @@ TEST_CASE("a tile that is filtered for a tiny pixel is the plain tile, at random
     for (const Material& material : materials) {
         test::Largest largest;
         for (int i = 0; i < 12; ++i) {
-            Request request{.material = std::string(material.name)};
+            Request request = request_of(material.name);
             randomize(request, random);
             if (material.name == "fabric") // each weave as often
                 render::set(request, "fabric.weave", i % 3 * 1.0);
@@ -412,7 +416,8 @@ TEST_CASE("each pixel of a material's picture equals the material's function", "
                         .height = side,
                         .scale = 12,
                         .seed = 7,
-                        .view = render::Plane{.tileable = filter},
+                        .kind = render::Kind::material,
+                        .view = {.tileable = filter},
                         .material = std::string(material.name),
                         .filter = filter};
         CHECK(numbers_of(request).size() == material.by_default().size());
@@ -442,7 +447,7 @@ TEST_CASE("each material has at least three presets, one of them named after it 
     std::map<std::string, int> counts;
     for (const std::string_view name : render::preset_names()) {
         const Request request = render::preset(name);
-        if (request.material == render::no_material)
+        if (request.kind != render::Kind::material)
             continue;
         ++counts[request.material];
         CHECK(request.filter);

@@ -4,8 +4,8 @@
 #include "largest.hpp"
 #include "reference/reference.hpp"
 #include "reference/sum.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double standard = request.recipe.radius, pixels = request.scale * radius[axis];
         const double length = (axis ? request.height : request.width) / pixels; // in kernel radii
-        if (std::get<render::Plane>(request.view).tileable)
+        if (request.view.tileable)
             place.period[axis] = static_cast<std::int32_t>(length * standard);
         place.radius[axis] = place.period[axis] ? place.period[axis] / length : standard;
         const double at = (pixel.at(axis) + 0.5) / pixels * place.radius[axis];
@@ -211,7 +211,7 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
             tile.height = 94;
             tile.evolution = 3.3;
             tile.quadrature = true;
-            tile.view = render::Plane{.tileable = true};
+            tile.view.tileable = true;
             for (render::Request& request : {std::ref(far), std::ref(tile)}) {
                 const bool is_tile = request == tile;
                 if (!is_tile && !is_wave && recipe != noise::recipes().front())
@@ -251,7 +251,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
                                     .recipe = *recipe,
                                     .lobes = {several[0], several[1], {.frequency = 1, .radius = 1.7}},
                                     .seed = 77};
-            request.view = render::Plane{.tileable = tileable};
+            request.view.tileable = tileable;
             request.colour = colour;
             REQUIRE(render::uses_blocks(request, render::viewport_of(request, {})));
             const image::Rect region{43, 50, 17, 12};
@@ -307,9 +307,9 @@ TEST_CASE("colour pictures of noise in space mix the values of grey ones", "[ren
                                .mean = {0.5, 0, 0},
                                .mixing = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
     const std::pair<const char*, render::View> views[]{
-        {"slice", render::Slice{2.7}},
-        {"sphere", render::Body{}},
-        {"solid torus", render::Body{.shape = render::Shape::torus, .solid = true}}};
+        {"slice", {.projection = render::Projection::slice, .depth = 2.7}},
+        {"sphere", {.projection = render::Projection::sphere}},
+        {"solid torus", {.projection = render::Projection::torus, .solid = true}}};
     for (const auto& [name, view] : views) {
         for (const bool filter : {false, true}) {
             render::Request request{.width = 90,
@@ -349,8 +349,12 @@ TEST_CASE("colour pictures of noise in space mix the values of grey ones", "[ren
 
 TEST_CASE("filtered colours of noise in space keep their mean", "[render]") {
     const vulkan::Device device;
-    render::Request request{
-        .width = 96, .height = 96, .scale = 2, .seed = 77, .view = render::Slice{2.7}, .filter = true};
+    render::Request request{.width = 96,
+                            .height = 96,
+                            .scale = 2,
+                            .seed = 77,
+                            .view = {.projection = render::Projection::slice, .depth = 2.7},
+                            .filter = true};
     request.lobes.front().frequency = 0.3;
     const std::vector<float> grey = rendered(device, request, {0, 0, 96, 96});
     request.colour =
@@ -421,7 +425,7 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
         render::Request request{
             .width = 40, .height = 40, .scale = 5, .lobes = stretched, .seed = 3, .filter = true};
         if (horizon)
-            request.view = render::Horizon();
+            request.view.projection = render::Projection::horizon;
         const std::vector<float> pixels = rendered(device, request, {0, 0, 40, 40});
         const noise::Sum<2> spectrum = noise::spectrum(terms_of(request));
         double squares = 0;

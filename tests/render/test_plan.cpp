@@ -1,9 +1,9 @@
 // Tests how requests become plans, which are plain values and need no device.
 
-#include "render/erosion.hpp"
-#include "render/maps.hpp"
-#include "render/material.hpp"
-#include "render/plan_parts.hpp"
+#include "render/output/erosion.hpp"
+#include "render/output/maps.hpp"
+#include "render/plan/plan_parts.hpp"
+#include "render/request/material.hpp"
 #include "set_text.hpp"
 
 #include "passes/bake_interface.h"
@@ -213,7 +213,7 @@ TEST_CASE("a coarse view shows what a smaller picture does, and a zoomed one wha
         small.width = 160;
         small.height = 100;
         Request half = enlarged(0.5);
-        if (in_perspective(request)) // the scale is that of the bottom row
+        if (request.view.has_horizon()) // the scale is that of the bottom row
             half.scale = request.scale * (100 - 0.5 - sky_rows(100)) / (200 - 0.5 - sky_rows(200));
         CHECK((seen(request, coarse) == seen(half, small)));
     }
@@ -276,7 +276,7 @@ TEST_CASE("a plane in perspective is drawn from the position of its camera") {
     const auto push = values_of<passes::MaterialPush>(plan(request, viewport).steps.front().push).at(0);
     CHECK(push.corner.x == 2.25f);
     CHECK(push.corner.y == -3.5f);
-    request.material = "none";
+    set_text(request, "material", "none");
     request.lobes = {{.radius = 2, .stretch = 3}}; // 2.25 and -3.5 are 1.6875 and -0.875 node spacings
     const auto wave = values_of<passes::PixelsWave>(plan(request, viewport).tables.at(2)).at(0);
     CHECK(wave.camera.x == 0.6875f);

@@ -1,7 +1,7 @@
 #include "error.hpp"
-#include "render/material.hpp"
-#include "render/parameters.hpp"
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
 #include "set_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,20 +25,20 @@ namespace {
 
 // Returns a value within the range that differs from `value`.
 Value another(const Parameter& parameter, const Value& value) {
-    switch (parameter.kind) {
-    case Parameter::Kind::flag:
+    switch (parameter.type) {
+    case Parameter::Type::flag:
         return !std::get<bool>(value);
-    case Parameter::Kind::choice: {
+    case Parameter::Type::choice: {
         const std::vector<std::string_view>& all = parameter.choices;
         return std::string(all.at(std::get<std::string>(value) == all[1] ? 2 : 1));
     }
-    case Parameter::Kind::text:
+    case Parameter::Type::text:
         return "a \"name\".exr";
-    case Parameter::Kind::lobes:
+    case Parameter::Type::lobes:
         return std::vector<noise::Lobe>{{0.1, -33.3, 0.25, 12.345678901234567, 3, 0.7}, {7, 90}};
-    case Parameter::Kind::colour:
+    case Parameter::Type::colour:
         return std::array{0.1, 0.25, 0.7};
-    case Parameter::Kind::integer:
+    case Parameter::Type::integer:
         return parameter.range.high;
     default:
         const double third = (parameter.range.high - parameter.range.low) / 3;
@@ -83,13 +83,13 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
     std::map<std::string_view, int> seen;
     for (const std::string_view view : views) {
         Request several = of_view(view);
-        if (!render::has_terrain(several) && !render::has_sea(several))
+        if (render::is_pattern(several.kind))
             render::set(several, "lobes", std::vector<noise::Lobe>(3));
         std::vector<Request> starts{of_view(view), several};
         for (const std::string_view material : render::materials) {
             for (const bool boards : {false, true}) {
                 starts.push_back(of_view(view));
-                starts.back().material = material;
+                render::set(starts.back(), "material", std::string(material));
                 starts.back().boards = boards;
             }
         }
@@ -118,13 +118,14 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
                 if (!std::holds_alternative<double>(value))
                     continue;
                 auto [low, high] = parameter.slider; // whose ends, too, have an effect
-                if (parameter.name == "pitch" && render::has_terrain(start)) // no camera is below the ground
+                if (parameter.name == "pitch" &&
+                    start.kind == render::Kind::terrain) // no camera is below the ground
                     low = 0;
                 for (const auto& [end, sign] : {std::pair(low, 1), {high, -1}}) {
                     Request inside = changed;
                     parameter.place.put(changed, end);
                     const double step =
-                        std::max(1e-3 * (high - low), parameter.kind == Parameter::Kind::integer ? 1.0 : 0.0);
+                        std::max(1e-3 * (high - low), parameter.type == Parameter::Type::integer ? 1.0 : 0.0);
                     parameter.place.put(inside, end + sign * step);
                     INFO(end);
                     if (is_accepted(changed) && is_accepted(inside))
@@ -184,7 +185,8 @@ TEST_CASE("a full turn of an angle changes nothing", "[request]") {
                                                 {"flat", "none", "orientation"}}) {
         INFO(view << ", " << material << ", " << angle);
         Request turned = of_view(view), other = of_view(view);
-        turned.material = other.material = material;
+        set_text(turned, "material", material);
+        set_text(other, "material", material);
         set_text(turned, angle, "-150");
         set_text(other, angle, "570");
         CHECK(draw_alike(turned, other));
@@ -222,13 +224,13 @@ TEST_CASE("out-of-range values are refused, however they are set", "[request]") 
                                   Catch::Contains(std::string(parameter.name)));
                 parameter.place.put(request,
                                     outside == outside ? outside : 0.25); // programs can bypass set()
-                if (outside != outside && parameter.kind != Parameter::Kind::integer)
+                if (outside != outside && parameter.type != Parameter::Type::integer)
                     parameter.place.put(request, outside);
-                if (parameter.kind != Parameter::Kind::integer)
+                if (parameter.type != Parameter::Type::integer)
                     CHECK_THROWS_AS(render::check(request), RequestError);
                 ++refused;
             }
-            if (parameter.kind == Parameter::Kind::integer)
+            if (parameter.type == Parameter::Type::integer)
                 CHECK_THROWS_AS(render::set(request, parameter.name, parameter.range.low + 0.5),
                                 RequestError);
             for (const double end : {parameter.range.low, parameter.range.high}) {
@@ -253,7 +255,7 @@ TEST_CASE("ranges, sliders and defaults equal those in the golden file", "[reque
         for (const std::string_view view : views)
             value = value ? value : parameter.get(of_view(view));
         if (parameter.group != Parameter::Group::material && parameter.group != Parameter::Group::boards &&
-            parameter.kind != Parameter::Kind::lobes)
+            parameter.type != Parameter::Type::lobes)
             add(parameter.name, parameter.range, parameter.slider, value ? render::to_text(*value) : "none");
     }
     for (const render::LobeParameter& parameter : render::lobe_parameters())
@@ -276,8 +278,9 @@ TEST_CASE("a body keeps its pose when its shape changes, and the order of parame
     Request body = of_view("sphere");
     set_text(body, "yaw", "30");
     set_text(body, "view", "torus");
-    CHECK(std::get<render::Body>(body.view) == render::Body{.shape = render::Shape::torus, .yaw = 30});
-    CHECK(render::from_json(R"({"depth": 2, "view": "slice"})").view == render::View(render::Slice{2}));
+    CHECK(body.view == render::View{.projection = render::Projection::torus, .orbit = {.yaw = 30}});
+    CHECK(render::from_json(R"({"depth": 2, "view": "slice"})").view ==
+          render::View{.projection = render::Projection::slice, .depth = 2});
 }
 
 TEST_CASE("conflicting parameters are refused, or dropped on request", "[request]") {

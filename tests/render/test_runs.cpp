@@ -1,4 +1,4 @@
-#include "render/plan_parts.hpp"
+#include "render/plan/plan_parts.hpp"
 
 #include <catch2/catch.hpp>
 

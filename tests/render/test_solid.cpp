@@ -11,8 +11,8 @@
 
 #include "largest.hpp"
 #include "reference/vector.hpp"
-#include "render/parameters.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -30,10 +30,8 @@ using noise::dot;
 using noise::scaled;
 using noise::sum;
 using render::Blocks;
-using render::Body;
+using render::Projection;
 using render::Request;
-using render::Shape;
-using render::Slice;
 using Vector = noise::Vector<3>;
 
 namespace {
@@ -69,9 +67,8 @@ struct Seen {
 // The camera of passes/body.glsl in double precision.
 struct Camera {
     explicit Camera(const Request& of) : request(of) {
-        if (const Body* pose = std::get_if<Body>(&of.view)) {
-            body = *pose;
-            const double yaw = noise::radians(body.yaw), pitch = noise::radians(body.pitch);
+        if (of.view.is_body()) {
+            const double yaw = noise::radians(of.view.orbit.yaw), pitch = noise::radians(of.view.orbit.pitch);
             right = {std::cos(yaw), std::sin(yaw), 0};
             down = {std::sin(yaw) * std::sin(pitch), -std::cos(yaw) * std::sin(pitch), -std::cos(pitch)};
             toward_eye = noise::cross(down, right);
@@ -81,28 +78,28 @@ struct Camera {
     // The ray from the eye, which is 4 units away from the centre. The unit sphere's outline leaves a margin
     // of 1/20 of its radius.
     Vector ray(double x, double y) const {
-        const double side = margin / std::min(request.width, request.height) / body.zoom;
+        const double side = margin / std::min(request.width, request.height) / request.view.orbit.zoom;
         const Vector across = sum((x - request.width / 2.0) * side, right, 1, scaled(-1, toward_eye));
         return sum(1, across, (y - request.height / 2.0) * side, down);
     }
 
     // The body's implicit function, which is 0 on the surface, and its direction of steepest ascent.
     double value(const Vector& p) const {
-        if (body.shape == Shape::sphere)
+        if (request.view.projection == Projection::sphere)
             return noise::length(p) - 1;
         return std::hypot(std::hypot(p[0], p[1]) - 0.68, p[2]) - 0.3;
     }
     Vector normal(const Vector& p) const {
         const double from_axis = std::hypot(p[0], p[1]);
-        const double inside = body.shape == Shape::sphere ? 0 : 0.68 / from_axis;
+        const double inside = request.view.projection == Projection::sphere ? 0 : 0.68 / from_axis;
         return noise::unit(Vector{p[0] * (1 - inside), p[1] * (1 - inside), p[2]});
     }
 
     // Finds the first zero along a ray by bisection after small steps, which miss only rays that barely graze
     // the body.
     std::optional<Seen> seen(double x, double y) const {
-        if (const Slice* slice = std::get_if<Slice>(&request.view))
-            return Seen{{x / request.scale, y / request.scale, slice->depth},
+        if (request.view.projection == Projection::slice)
+            return Seen{{x / request.scale, y / request.scale, request.view.depth},
                         {1 / request.scale, 0, 0},
                         {0, 1 / request.scale, 0}};
         const Vector eye = scaled(4, toward_eye), along = ray(x, y);
@@ -129,7 +126,6 @@ struct Camera {
 
     static constexpr double margin = 2 * 1.05 / 3.872983346207417; // tan(asin(1/4)) = 1 / sqrt(15)
     Request request;
-    Body body;
     Vector right{1, 0, 0}, down{0, 1, 0}, toward_eye{0, 0, 1};
 };
 
@@ -142,12 +138,11 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const bool isotropic = lobe.orientation_spread > 0;
     GaborPlace3d place = gabor_place_3d_at(narrow(seen.p));
     place.evolution = static_cast<float>(request.evolution);
-    const Body* body = std::get_if<Body>(&request.view);
-    if (body && !body->solid && request.filter)
+    if (request.view.along_surface() && request.filter)
         return isotropic
                    ? gabor_field_surface_isotropic_filtered(place, dx, dy, normal, frequency, request.seed)
                    : gabor_field_surface_filtered(place, dx, dy, normal, frequency, along, request.seed);
-    if (body && !body->solid)
+    if (request.view.along_surface())
         return isotropic ? gabor_field_surface_isotropic(place, normal, frequency, request.seed)
                          : gabor_field_surface(place, normal, frequency, along, request.seed);
     if (request.filter)
@@ -159,7 +154,7 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
 
 void compare(const vulkan::Device& device, const Request& request, Blocks blocks = Blocks::none) {
     const Camera camera(request);
-    const bool is_body = std::holds_alternative<Body>(request.view);
+    const bool is_body = request.view.is_body();
     const bool normals = is_body && request.gradient;
     const std::vector<float> pixels = rendered(device, request, whole(request), normals, blocks);
     const std::vector<std::string> channels = render::channels(request, normals);
@@ -217,7 +212,7 @@ TEST_CASE("each pixel of a slice is the noise at its centre", "[solid]") {
                         .lobes = {{spread > 0 ? 1.2 : 3.5, 63, 0, spread}},
                         .seed = 5,
                         .evolution = 0.3,
-                        .view = Slice{7.3}};
+                        .view = {.projection = Projection::slice, .depth = 7.3}};
         compare(device, request);
         compare(device, request, Blocks::fitted);
         request.filter = request.quadrature = request.gradient = request.phasor = true;
@@ -227,15 +222,16 @@ TEST_CASE("each pixel of a slice is the noise at its centre", "[solid]") {
 
 TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits the body", "[solid]") {
     const vulkan::Device device;
-    for (const Shape shape : {Shape::sphere, Shape::torus})
+    for (const Projection shape : {Projection::sphere, Projection::torus})
         for (const bool solid : {false, true})
             for (const double spread : {0.0, 90.0}) {
                 // Half of the pictures have every channel, another camera and another time.
-                const bool detailed = (shape == Shape::torus) ^ solid ^ (spread > 0);
-                Body body{.shape = shape, .solid = solid};
+                const bool detailed = (shape == Projection::torus) ^ solid ^ (spread > 0);
+                render::View body{.projection = shape, .solid = solid};
                 if (detailed)
-                    body = {shape, solid, -70, -55, 1.4};
-                fmt::print("shape {}, solid {}, spread {}\n", static_cast<int>(shape), solid, spread);
+                    body.orbit = {-70, -55, 1.4};
+                fmt::print("{}, solid {}, spread {}\n", shape == Projection::torus ? "torus" : "sphere",
+                           solid, spread);
                 compare(device, {.width = 80,
                                  .height = 60,
                                  .scale = 4,
@@ -252,7 +248,8 @@ TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits the
 
 TEST_CASE("coverage is the covered share of a pixel, and uncovered pixels are 0", "[solid]") {
     const vulkan::Device device;
-    const Request request{.width = 200, .height = 300, .view = Body(), .filter = true};
+    const Request request{
+        .width = 200, .height = 300, .view = {.projection = Projection::sphere}, .filter = true};
     const auto pixels = rendered(device, request, whole(request));
     double area = 0;
     for (std::size_t i = 0; i < pixels.size(); i += 2) {

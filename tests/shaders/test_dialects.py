@@ -155,6 +155,19 @@ class Dialects(unittest.TestCase):
             with self.subTest(path.name):
                 self.compile(f"#version 300 es\n{before}{path.read_text()}{after}", "frag", [])
 
+    def test_shims_compile_and_name_what_they_need(self):
+        shims = sorted((SHADERS / "nodes" / "shims").glob("*.glsl"))
+        self.assertGreater(len(shims), 0)
+        calls = "out vec4 color;\nvoid main()\n{\n    vec3 p = gl_FragCoord.xyz;\n    color = vec4(" \
+                "snoise(p.xy) + snoise(p), cnoise(p.xy), cnoise(p), pnoise(p.xy, p.yz) + pnoise(p, p));\n}\n"
+        needed = "".join((SHADERS / f"gabor_{name}.glsl").read_text() for name in ("noise", "fractal"))
+        for shim, dialect in itertools.product(shims, ("330 core fragment", "300 es fragment", "300 es fragment, mediump", "130 fragment")):
+            version, before, *_ = DIALECTS[dialect]
+            with self.subTest(shim.name, dialect=dialect):
+                self.compile(f"#version {version}\n{before}{needed}{2 * shim.read_text()}{calls}", "frag", [])
+            with self.assertRaisesRegex(AssertionError, "Include gabor_noise . glsl and gabor_fractal . glsl before"):
+                self.compile(f"#version {version}\n{before}{shim.read_text()}{calls}", "frag", [])
+
     def test_an_error_names_a_bad_macro(self):
         *parts, stage, options = DIALECTS["300 es fragment"]
         for name, macros in BAD_MACROS.items():

@@ -1,6 +1,7 @@
 """Checks README and docs: links have targets, code to paste compiles, scripts do what they say, and figures match their source page."""
 
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -39,6 +40,20 @@ class Pages(unittest.TestCase):
     def test_readme_is_short(self):
         self.assertLessEqual(len(README.split()), 800)
 
+    def test_the_page_of_other_noises_is_short(self):
+        self.assertLessEqual(len((ROOT / "docs" / "other-noises.md").read_text().split()), 700)
+
+    def test_the_code_that_replaces_other_noises_compiles(self):
+        """In docs/other-noises.md and docs/gallery.md: all blocks that call gabor_fractal.glsl."""
+        blocks = re.findall(r"(?ms)^```glsl\n(.*?)^```", "".join((ROOT / "docs" / f"{name}.md").read_text() for name in ("other-noises", "gallery")))
+        blocks = [block for block in blocks if re.search("gabor_(perlin|fractal|fbm)", block)]
+        self.assertEqual(len(blocks), 3)
+        drop_ins = "".join((ROOT / f"shaders/gabor_{name}.glsl").read_text() for name in ("noise", "fractal"))
+        for block in blocks:
+            self.compile(f"#version 450\n{drop_ins}layout(location = 0) in vec4 given;\nvoid main()\n{{\n"
+                         "vec2 p = given.xy;\nfloat mean = 0.0, deviation = 0.3, k = 1.0, octaves = 5.0;\nuint seed = 7u;\n"
+                         f"{block}}}\n")
+
     def test_the_code_to_paste_compiles(self):
         code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_noise.glsl"',
                                                                          (ROOT / "shaders/gabor_noise.glsl").read_text())
@@ -72,18 +87,141 @@ class Pages(unittest.TestCase):
                                     capture_output=True, text=True)
             self.assertEqual(result.returncode, 0, result.stdout)
 
-    def test_costs_match_the_performance_page(self):
-        """Checks that the times and cycles in README's rows are those of the page's table."""
-        page = (ROOT / "docs" / "performance.md").read_text()
-        table = {name: (1920e-6 * 1080 * float(gpu), float(cpu), cycles) for name, cpu, gpu, cycles in
-                 re.findall(r"(?m)^\| ([^|]+) \| ([\d.]+) \| [\d.]+ \| ([\d.]+) \| [\d.]+ \| (\d*) ?\|", page)}
-        rows = re.findall(r"(?m)^\| `?([^|`]+)`? \| ([\d.]+) us \| ([\d.]+) ms \| (\d*)(?: cycles)? \|$", README)
-        self.assertEqual(len(rows), 3)
-        names = {"gabor_noise": "gabor_noise, lattice", "Gabor noise of 2009": "the seminal noise, 270 kernels"}
-        for name, gpu, cpu, cycles in rows:
-            found = table[names.get(name, name)]
-            self.assertLessEqual(abs(found[0] - float(gpu)), 0.051 if found[0] < 100 else 0.51, name)
-            self.assertEqual(found[1:], (float(cpu), cycles), name)
+
+PERFORMANCE = (ROOT / "docs" / "performance.md").read_text()
+FIGURE = r"(?:\d[\d,]*(?:\.\d+)?|(?:twice|half|two|three|four|five|six|seven|eight|nine|ten|three quarters|a (?:third|quarter|fifth))\b)"
+FIGURES = rf"{FIGURE}(?:(?:,| to|,? and|,? or) {FIGURE})*"
+# What looks like a figure of cost: a ratio, a unit of time or cycles, and what follows "cost".
+COST = [rf"{FIGURES} times (?:as (?:much|fast|long)|the (?:cost|time|CPU|\d)|that of `?gabor|faster|slower)",
+        rf"{FIGURES} (?:cycles(?! per)|[pnu]s|Perlin noises|million values)\b", rf"{FIGURES} (?:as|more) (?:much|long) ",
+        rf"\bcosts?(?: on [A-Z]\w+,| as much as| relative to \w+,| is| about| at most| less than)* {FIGURES}"]
+WORDS = {"twice": 2, "half": 0.5, "a fifth": 0.2, "two": 2, "five": 5, "seven": 7}
+
+
+def number(text):
+    return WORDS[text] if text in WORDS else float(text.replace(",", ""))
+
+
+def figures(patterns):
+    """Returns a pattern with a group for each (N), in which any white space is a space."""
+    return re.compile("|".join(patterns).replace("(N)", f"({FIGURE})").replace(" ", r"\s+"), re.DOTALL)
+
+
+def sources():
+    """Returns what an expression may name: columns of the first table of performance.md, the table of the filter, and `said`, the
+    number of a pattern in a page."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in PERFORMANCE.splitlines() if line.startswith("| ")]
+    rows = {row[0]: row[1:] for row in rows}
+    short = {"": "gabor_noise, lattice", "perlin": "Perlin noise", "advice": "the paper's advice, 18 kernels",
+             "seminal": "the seminal noise, 183 kernels", "seminal 30": "the seminal noise, 270 kernels", "splats": "erosion with 16 random splats, 5 octaves",
+             "eroded": "gabor_eroded, 5 octaves, 3 taps", "isotropic": "gabor_noise_isotropic", "3d": "gabor_noise_3d",
+             "all": "0.66 or more along all axes", "one": "0.66 or more along one axis"}
+
+    def column(index):
+        return lambda name: float(rows[short.get(name, name)][index])
+    return {"ms": column(0), "ps": column(2), "cycles": column(3), "filter": column(1), "filter_cycles": column(0),
+            "filter_3d": column(3), "filter_3d_cycles": column(2),
+            "said": lambda page, pattern: number(figures([pattern]).search((ROOT / page).read_text())[1])}
+
+
+# Figures of cost outside the tables: (page, pattern whose groups are numbers, what these are by their source, tolerance). A row
+# without an expression is itself the source, and no other page may state the figure.
+P, GLSL = "docs/performance.md", "shaders/gabor_"
+COSTS = [
+    ("README.md", "(N) to (N) times the cost of Perlin noise, and (N) to (N) times as fast", "ms('') / ms('perlin'), "
+     "cycles('') / cycles('perlin'), said(P, '7100 for 183, without loops and random counts: (N) times'), ms('seminal') / ms('')", 0.08),
+    ("README.md", r"\| `gabor_noise` \| (N) ms \| (N) cycles", "ms(''), cycles('')", 0.005),
+    ("README.md", r"\| Perlin noise \| (N) ms \| (N) cycles", "ms('perlin'), cycles('perlin')", 0.005),
+    ("README.md", r"\| Gabor noise of 2009 \| (N) ms", "ms('seminal')", 0.005),
+    ("README.md", r"`gabor_noise` takes (N) us on", "ps('') * 2.0736", 0.005),
+    ("README.md", r"ns per value: Perlin (N), the 2019 paper's advice (N), 72 kernels \(Blender\) (N), `gabor_noise` (N)\.",
+     "*(ms(name) / 2.0736 for name in ('perlin', 'advice', 'Gabor noise of 72 kernels', ''))", 0.03),
+    ("docs/lattice.md", "Navi 21, 3 taps cost (N) times as much as Perlin noise, and are (N) times as fast as the noise that the paper "
+     "recommends and (N) times as fast", "cycles('') / cycles('perlin'), cycles('advice') / cycles(''), 7100 / cycles('')", 0.04),
+    ("docs/lattice.md", "lavapipe they cost (N) times as much as Perlin noise, and are (N) and (N) times as fast",
+     "ms('') / ms('perlin'), ms('advice') / ms(''), ms('seminal') / ms('')", 0.03),
+    (P, "costs as much as (N) Perlin noises on lavapipe and (N) by RADV's cycles, or (N) and (N) simplex noises. It is (N) and (N) times as "
+     r"fast as the paper's advice \(.*?\). On lavapipe, it is (N) times as fast as the seminal noise of 2009 with .*? and (N) times with",
+     "ms('') / ms('perlin'), cycles('') / cycles('perlin'), ms('') / ms('simplex noise'), cycles('') / cycles('simplex noise'), "
+     "ms('advice') / ms(''), cycles('advice') / cycles(''), ms('seminal') / ms(''), ms('seminal 30') / ms('')", 0.03),
+    (P, "RADV estimates (N) cycles for an impulse of the seminal noise, so (N) for 183, without loops and random counts: (N) times `gabor_noise`",
+     "7100 / 183, 183 * 37.5, 7100 / cycles('')", 0.05),
+    (P, "`gabor_noise` takes (N) cycles there, `gabor_noise_3d` (N)",
+     "filter_cycles('up to 0.18') / filter('up to 0.18'), filter_3d_cycles('up to 0.18') / filter_3d('up to 0.18')", 0.03),
+    (P, r"are 13,300 cycles, 14,700 filtered and 11,300 for the height alone: (N), (N) and (N) times the (N) of",
+     "13300 / cycles(''), 14700 / cycles(''), 11300 / cycles(''), cycles('')", 0.02),
+    (P, "On lavapipe it takes (N), (N) and (N) times as long",
+     "ms('gabor_water') / ms(''), ms('gabor_water_filtered') / ms(''), ms('gabor_water, height alone') / ms('')", 0.03),
+    (P, "takes 5320 cycles. The height alone takes 3310, which is (N) % of the cycles", "331000 / cycles('splats')", 0.02),
+    (P, "erosion with two taps (N) less; on lavapipe ours costs (N)",
+     "1 - ps('gabor_eroded, 5 octaves, 2 taps') / ps('eroded'), ms('eroded') / ms('splats')", 0.15),
+    (GLSL + "noise.glsl", "about (N) as much as gabor_noise", "cycles('gabor_noise_animated') / cycles('')", 0.1),
+    (GLSL + "spectrum.glsl", "(N) to (N) times that of gabor_noise", "ps('isotropic') / ps(''), ms('isotropic') / ms('')", 0.1),
+    (GLSL + "noise_3d.glsl", "about (N) times that of gabor_noise_3d[.]", "ms('gabor_noise_3d_isotropic') / ms('3d')", 0.1),
+    (GLSL + "noise_3d.glsl", "about (N) times that of gabor_noise_3d,", "ms('gabor_field_surface_isotropic') / ms('3d')", 0.1),
+    (GLSL + "erosion.glsl", "costs (N) gabor_noise_gradient", "ps('eroded') / 5 / ps('gabor_noise_gradient')", 0.1),
+    (GLSL + "filter.glsl", "gabor_noise, is (N) for pixels up to 0.18 kernel radii .9 nodes., (N) from 0.2 .16 nodes., (N) from 0.66 "
+     "along x or y .20 nodes., and (N) from 0.66 along both", "*map(filter, ('up to 0.18', '0.2 or more', 'one', 'all'))", 0.01),
+    (GLSL + "filter.glsl", "the cost is (N) for small pixels and (N) for larger ones", f"said('{P}', 'takes (N) times as long as "
+     f"`gabor_noise` for small pixels'), said('{P}', 'for small pixels and (N) times')", 0.1),
+    (GLSL + "filter_3d.glsl", "a call costs (N) times as much as gabor_noise_3d for pixels up to 0.18 kernel radii .27 nodes., (N) times "
+     "from 0.2 .64 nodes., and at most (N) times", "*map(filter_3d, ('up to 0.18', '0.2 or more', 'all'))", 0.01),
+    ("shaders/nodes/cpp/README.md", "// (N) to (N) us; after", f"6 * said('{P}', 'takes (N) us for a point'), "
+     f"6 * said('{P}', '; (N) us without the latter')", 0.1),
+    ("docs/study.md", "(N) times faster than the seminal noise with N = 2, and (N) times with N = 4", "said('docs/study.md', "
+     r"'(N) times \\(N = 2\\)'), said('docs/study.md', '(N) times at N = 4')", 0),
+    ("docs/performance-notes.md", "takes (N) cycles with 25 nodes, (N) times `gabor_noise`", "filter_cycles('all'), filter('all')", 0.01),
+    ("docs/performance-notes.md", "of (N) cycles compared with random signs", "cycles('gabor_noise, paper')", 0),
+    ("docs/performance-notes.md", "Its GLSL takes (N) ns", "said('docs/by-example.md', 'takes (N) ns')", 0),
+    *((page, pattern, "", 0) for page, pattern in (
+        (P, "The H100 has only timed slower code of these noises: .*? 30 times as that seminal noise"), (P, "takes 10 ps per value on"), (P, "materials take 25 to 350 ps"), (P, "costs 5 % more than `tests/bench"),
+        (P, "3.1 times as long as `gabor_noise` for small"), (P, "costs three octaves"), (P, "0.9 us for a point"), (P, "2.1 us without"),
+        (P, "Crest needs 28 us"), (P, "up to eight times as long"), ("docs/by-example.md", "75 ns .*? 8368 cycles"),
+        ("docs/engines.md", "14 kB, 7 us a height"), ("docs/farm.md", "1.4 to 1.75 times the CPU time"), ("docs/gallery.md", "costs ten noises, one"),
+        ("docs/python.md", "draws 570 .*? 1.2 us"), ("docs/study.md", "17 times faster at the same quality"), ("docs/study.md", "20.7 times faster"),
+        ("shaders/nodes/cpp/README.md", "on one core, GCC 12 reaches 33 .*? at 4[.]"), (GLSL + "compose.glsl", "cost three quarters of gabor_noise"),
+        (GLSL + "direction.glsl", "1.5 to 1.7 times as much as gabor_noise, including"), (GLSL + "filter_3d.glsl", "less than twice as much as without"))),
+]
+
+
+class Costs(unittest.TestCase):
+    """Figures of cost in prose are those of the tables in docs/performance.md, or have no other source than their page."""
+
+    def setUp(self):
+        """Reads the pages and the manuals of drop-ins, with each space as wide as the marks of comments that it replaces."""
+        manuals = {f"shaders/{path.name}": path.read_text().split("// Private implementation")[0] for path in
+                   sorted((ROOT / "shaders").glob("gabor_*.glsl"))}
+        pages = {str(page.relative_to(ROOT)): page.read_text() for page in PAGES}
+        self.texts = {name: re.sub(r"(?m)^//", "  ", text) for name, text in (pages | manuals).items()}
+
+    def test_figures_are_those_of_the_tables(self):
+        for page, pattern, values, tolerance in COSTS:
+            found = figures([pattern]).findall(self.texts[page])
+            self.assertEqual(len(found), 1, f"{page}: {pattern}")
+            stated = [number(text) for text in (found[0] if isinstance(found[0], tuple) else found)] if values else []
+            for text, value in zip(stated, eval(f"[{values}]", sources() | {"P": P}), strict=True):
+                self.assertLessEqual(abs(text / value - 1), tolerance, f"{page}: {text} is {value:.4g} by its source: {pattern}")
+
+    def test_ratios_in_the_table_are_those_of_its_rows(self):
+        ms = sources()["ms"]
+        rows = re.findall(r"(?m)^\| ([^|]+) \| [\d.]+ \| ([\d.]+) \|", PERFORMANCE.split("<!-- end -->")[0])
+        self.assertGreater(len(rows), 30)
+        for name, ratio in rows:
+            self.assertLess(abs(float(ratio) / (ms(name) / ms("perlin")) - 1), 0.04, name)
+
+    def test_every_figure_has_a_source(self):
+        unknown, seen = [], 0
+        for page, text in self.texts.items():
+            if page in ("CHANGELOG.md", "docs/performance-notes.md"):  # of other versions, and of code that was not kept
+                continue
+            known = {i for row in COSTS if row[0] == page for match in figures([row[1]]).finditer(text) for i in range(*match.span())}
+            for match in figures(COST).finditer(text):
+                seen += 1
+                if not known.intersection(range(*match.span())):
+                    unknown.append(f"{page}:{text.count(chr(10), 0, match.start()) + 1}: {' '.join(match[0].split())}")
+        print(f"  {seen} figures of cost")
+        self.assertGreater(seen, 40)
+        self.assertEqual(unknown, [], "\n".join(unknown))
 
 
 @unittest.skipUnless(shutil.which("node"), "node is not installed")
@@ -116,6 +254,24 @@ class Scripts(unittest.TestCase):
         needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', DEMO.read_text())))
         self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
         json.loads(re.search(r'(?s) id="materials.json">\n(.*?)</script>', DEMO.read_text())[1])
+
+    def test_a_dragged_lobe_has_the_frequency_and_the_angle_of_its_place(self):
+        places = [(3, 1), (-2, 2), (0.5, 4), (-5, 0.25)]
+        dragged = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(() => {{
+            showTab(Object.keys(TABS).find(name => TABS[name].lobes));
+            values().kind = "lobes";
+            values().count = 3;
+            state.language = "GLSL";
+            return JSON.stringify({[list(place) for place in places]}.map((at, i) => {{
+                dragged = i % 3;
+                dragLobe(at);
+                return [...lobesInPlane()[i % 3].slice(0, 2), copied()];
+            }}));
+        }})()"""))
+        for i, ((x, y), (shown_x, shown_y, code)) in enumerate(zip(places, dragged, strict=True)):
+            frequency, angle = map(float, re.search(rf"lobe\[{i % 3}\] = gabor_lobe\((\S+), (\S+), ", code).groups())
+            for value, of in ((shown_x, x), (shown_y, y), (frequency * math.cos(angle), x), (frequency * math.sin(angle), y)):
+                self.assertAlmostEqual(value, of, delta=0.06, msg=f"{x}, {y}")
 
     def test_copied_code_compiles(self):
         before = "#version 300 es\nprecision highp float;\nprecision highp int;\n"

@@ -27,6 +27,38 @@ class Format(unittest.TestCase):
         self.assertEqual((off, result.returncode), ([], 0), result.stderr)
 
 
+class Layers(unittest.TestCase):
+    """Each library uses only those below it, so that no two include each other."""
+
+    BELOW = {"noise": "", "statistics": "", "vulkan": "", "image": "", "render/request": "noise image",
+             "render/plan": "noise image vulkan render/request",
+             "render/output": "noise image vulkan render/request render/plan",
+             "fit": "noise image statistics render/request",
+             "cli": "noise image statistics vulkan render/request render/plan render/output fit",
+             "viewer": "noise image vulkan render/request render/plan render/output fit",
+             "lab": "noise image statistics vulkan render/request render/plan render/output cli"}
+
+    def test_folders_include_only_those_below(self):
+        host, seen, wrong = ROOT / "host", set(), []
+        folder_of = lambda path: next((folder for folder in self.BELOW if path.startswith(f"{folder}/")), "")
+        for path in sorted(path for path in host.rglob("*") if path.suffix in (".cpp", ".hpp", ".in")):
+            name = path.relative_to(host).as_posix()
+            folder = folder_of(name)
+            for included in re.findall(r'^#include "(.*)"', path.read_text(), re.MULTILINE):
+                other = folder_of(included)
+                if other and other != folder:
+                    seen.add(folder)
+                    if other not in self.BELOW.get(folder, "").split():
+                        wrong.append(f"{name} includes {included}")
+        self.assertEqual(wrong, [])
+        self.assertGreater(len(seen), 5)
+
+    def test_folders_stand_in_order(self):
+        order = list(self.BELOW)
+        self.assertEqual([(folder, other) for folder, below in self.BELOW.items() for other in below.split()
+                          if order.index(other) >= order.index(folder)], [])
+
+
 class Setup(unittest.TestCase):
     """tools/setup where it cannot install packages."""
 
@@ -47,6 +79,27 @@ class Setup(unittest.TestCase):
                                "other": "apt-get install build-essential"}.items():
             self.check_refuses(f"there is no c++ cmake glslangValidator ninja pkg-config; install what gabor needs: {words}",
                                **{manager: ""})
+
+
+    @unittest.skipUnless(shutil.which("dpkg-query"), "needs dpkg")
+    def test_installs_what_cmake_looks_for(self):
+        """Looks up which package of this system owns the files that CMake finds."""
+        wanted = set(re.findall(r'packages="([^"$]*)', text("tools/setup"))[0].split())
+        installed = wanted | set(re.findall(r"[a-z0-9.+-]+", subprocess.run(["dpkg-query", "-W", "-f", "${Depends}\n", *wanted],
+                                                                            capture_output=True, text=True).stdout))
+        plain = {"JPEG": "include/jpeglib.h", "PNG": "include/png.h", "TIFF": "include/*/tiffio.h", "PkgConfig": "bin/pkg-config",
+                 "Vulkan": "lib/*/libvulkan.so", "X11": "include/X11/Xlib.h", "Catch2": "include/catch2"}
+        lines = "".join(text(f"{folder}CMakeLists.txt") for folder in ("host/", "host/viewer/", "tests/", "tests/viewer/", "shaders/"))
+        names = set(re.findall(r"find_package\((\S+?)[\s)]|pkg_check_modules\(.*GLOBAL ([\w-]+)|find_program\(\S+ (?!NAMES)(\w+)", lines))
+        self.assertGreater(len(names), 15)
+        for name in map("".join, names):
+            places = [plain[name]] if name in plain else [f"{folder}/{file}" for folder in (
+                "bin", "lib/*/cmake/*", "lib/cmake/*", "share/cmake/*", "share/*/cmake", "lib/*/pkgconfig", "share/pkgconfig", "lib/*/cmake")
+                for file in (name, f"{name}Config.cmake", f"{name.lower()}-config.cmake", f"{name}.pc")]
+            files = [file for place in places for file in pathlib.Path("/usr").glob(place) if file.is_file() or name in plain]
+            owners = {line.split(":")[0] for file in files for line in
+                      subprocess.run(["dpkg-query", "-S", file], capture_output=True, text=True).stdout.splitlines()}
+            self.assertTrue(not files or owners & installed, f"{name}: {owners}")
 
 
 class Comments(unittest.TestCase):
@@ -85,6 +138,8 @@ class Shaders(unittest.TestCase):
     drop_ins = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "shaders").glob("gabor_*.glsl"))
     # What "Copy code" adds to a user's shader: host/viewer/CMakeLists.txt lists it.
     pasted = [f"shaders/{name}" for name in re.findall(r"\w+/\w+\.glsl", text("host/viewer/CMakeLists.txt"))]
+    shims = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "shaders/nodes/shims").glob("*.glsl"))
+    pasted += shims
 
     def none(self, pattern, files, of=text):
         """Checks that no line of these files matches."""
@@ -133,7 +188,7 @@ class Shaders(unittest.TestCase):
         self.assertIn("private GaborImplAxis", private("shaders/gabor_noise.glsl"))
 
     def test_lines_of_drop_ins_fit_into_120_columns(self):
-        self.none(".{121}", self.drop_ins)
+        self.none(".{121}", self.drop_ins + self.shims)
 
 
 class Golden(unittest.TestCase):

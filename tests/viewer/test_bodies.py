@@ -53,7 +53,7 @@ class Bodies(OutputsTest):
         self.compare(cases)
 
     def test_copied_code_draws_presets_of_all_materials(self):
-        presets = [(json.loads(path.read_text()), path.stem) for path in (SHADERS.parent / "host/render/presets").glob("*.json")]
+        presets = [(json.loads(path.read_text()), path.stem) for path in (SHADERS.parent / "host/render/request/presets").glob("*.json")]
         # For each material, the preset that sets the most parameters, such as corduroy for fabric.
         richest = {made["material"]: (made, name) for made, name in sorted(presets, key=lambda each: (len(each[0]), each[1]))
                    if "material" in made}

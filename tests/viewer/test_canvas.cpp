@@ -85,7 +85,7 @@ TEST_CASE("drawing by blocks equals drawing pixel by pixel, wherever the camera 
     request.recipe = noise::find_recipe("one");
     check("one", request, Output::phase);
     request.recipe = noise::find_recipe("lattice");
-    request.view = render::Plane{true};
+    request.view.tileable = true;
     request.evolution = 0.3;
     request.lobes = {{.frequency = 3, .radius = 1.7}, {.frequency = 5, .orientation = 70, .power = 0.3}};
     check("lobes, tileable", request, Output::value);
@@ -123,7 +123,7 @@ TEST_CASE("a coarse view is the same as a view of smaller scale with the filter 
         check(name, document);
         document.request.filter = true;
         check(name + ", filtered", document);
-        document.request.view = render::Slice{0.3};
+        document.request.view = {.projection = render::Projection::slice, .depth = 0.3};
         check(name + ", filtered slice", document);
         document.request.filter = false;
         check(name + ", slice", document);

@@ -2,12 +2,17 @@
 
 #include "viewer/display.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/gallery.hpp"
+#include "viewer/input.hpp"
+#include "viewer/overlays.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/ramp_editor.hpp"
+#include "viewer/widgets.hpp"
 
 #include "../image/scratch_folder.hpp"
 #include "image/png.hpp"
-#include "render/load.hpp"
+#include "render/request/load.hpp"
 
 #include <GLFW/glfw3.h>
 #include <catch2/catch.hpp>
@@ -72,12 +77,14 @@ std::string panel_text(Session& session) {
     return text;
 }
 
-// Draws the panel with every section open, and presses the button or check box with this label; the section
-// is
-// "" for the buttons above the sections.
-void press_in_panel(Session& session, const std::string& section, const char* label) {
+// Draws the panel with every section open, and presses the button or check box with this label, or types a
+// text into the field. The section is "" for the buttons above the sections.
+void press_in_panel(Session& session, const std::string& section, const char* label,
+                    const char* text = nullptr) {
     const NoWindow none;
-    for (int frame = 0; frame < 4; ++frame) {
+    for (int frame = 0; frame < 5; ++frame) {
+        if (text && frame == 3)
+            ImGui::GetIO().AddInputCharactersUTF8(text);
         ImGui::NewFrame();
         ImGui::SetNextWindowSize({400, 4000});
         ImGui::Begin("panels");
@@ -95,6 +102,8 @@ void press_in_panel(Session& session, const std::string& section, const char* la
         ImGui::End();
         if (frame == 1)
             activate(id);
+        if (frame == 1 && text)
+            ImGui::GetCurrentContext()->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
         ImGui::EndFrame();
     }
 }
@@ -162,11 +171,11 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
 
 TEST_CASE("each button and check box of the panel does what it says") {
     const auto after = [](const char* json, const char* section, const char* label,
-                          const ExportTarget& target = {}) {
+                          const ExportTarget& target = {}, const char* text = nullptr) {
         auto session = std::make_unique<Session>(document_from_json(json), "");
         session->view = {800, 600};
         session->export_target = target;
-        press_in_panel(*session, section, label);
+        press_in_panel(*session, section, label, text);
         return session;
     };
     const char* const plain = R"({"width": 600, "height": 400, "scale": 40})";
@@ -186,12 +195,12 @@ TEST_CASE("each button and check box of the panel does what it says") {
         CHECK(std::tuple(made.width, made.height, made.scale) == std::tuple(width, height, scale));
     }
     CHECK_FALSE(after(plain, "Export", "also write PNG")->export_target.png);
+    CHECK(after(wood, "Export", "metres", {}, "2.5")->export_target.metres == 2.5);
     CHECK_FALSE(after(wood, "Export", "tileable##maps")->export_target.tileable);
     CHECK(after(wood, "Export", "DirectX normals")->export_target.directx);
     CHECK(after(plain, "Export", "16-bit floats", {.chosen = ExportAs::texture})->export_target.half);
-    CHECK(std::get<render::Plane>(
-              after(plain, "Export", "tileable", {.chosen = ExportAs::texture})->document().request.view)
-              .tileable);
+    CHECK(
+        after(plain, "Export", "tileable", {.chosen = ExportAs::texture})->document().request.view.tileable);
     CHECK(after(R"({"tileable": true})", "View", "2 x 2 tiles")->tiles);
     CHECK(after(plain, "View", "filter")->document().request.filter);
     CHECK(after(R"({"viewer": {"output": "gradient"}})", "View", "DirectX normals")
@@ -478,7 +487,7 @@ TEST_CASE("each key does what the page of keys says, or says why it cannot") {
     for (std::size_t i = 0; i < look_names.size(); ++i)
         CHECK(after(wood, {GLFW_KEY_1 + static_cast<int>(i)})->document().look == static_cast<Look>(i));
     CHECK(after(R"({"view": "terrain"})", {GLFW_KEY_5})->document().look == Look::lit);
-    CHECK(after(plain, {GLFW_KEY_V})->document().request.view == render::View(render::Horizon()));
+    CHECK(after(plain, {GLFW_KEY_V})->document().request.view.has_horizon());
     for (const auto& [times, view] :
          {std::pair(1u, "horizon"), {2u, "sphere"}, {3u, "torus"}, {4u, "flat"}}) {
         const auto session = after(wood, std::vector<int>(times, GLFW_KEY_V));
@@ -769,15 +778,15 @@ TEST_CASE("a photograph's noise replaces the document's, and another number of l
     CHECK(session.export_target.of(document).as == ExportAs::picture);
 
     CHECK(shows_photograph(session));
-    for (const auto& change :
-         std::vector<std::function<void(Document&)>>{[](Document& d) { d.request.lobes[0].frequency *= 1.1; },
-                                                     [](Document& d) { d.output = Output::lit; },
-                                                     [](Document& d) { d.request.view = render::Horizon(); },
-                                                     [](Document& d) { d.request.evolution = 0.5; }}) {
+    for (const auto& change : std::vector<std::function<void(Document&)>>{
+             [](Document& d) { d.request.lobes[0].frequency *= 1.1; },
+             [](Document& d) { d.output = Output::lit; },
+             [](Document& d) { set_parameter(d, "view", std::string("horizon")); },
+             [](Document& d) { d.request.evolution = 0.5; }}) {
         const Document kept = document;
         change(document);
         CHECK_FALSE(fitted_glsl(session)); // which draws only what was fitted
-        CHECK(shows_photograph(session) == std::holds_alternative<render::Plane>(document.request.view));
+        CHECK(shows_photograph(session) == !document.request.view.has_horizon());
         document = kept;
     }
     document.request.seed = 41;

@@ -2,14 +2,14 @@
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/panels.hpp"
+#include "viewer/gallery.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
 
 #include "error.hpp"
 #include "noise/recipe.hpp"
-#include "render/load.hpp"
-#include "render/parameters.hpp"
+#include "render/request/load.hpp"
+#include "render/request/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/ranges.h>
@@ -126,21 +126,21 @@ TEST_CASE("undo keeps a thousand steps, and the last of them") {
 
 // A value of the parameter other than the request's, or nothing if it has only one.
 std::optional<render::Value> other_value(const render::Parameter& parameter, const render::Request& request) {
-    using Kind = render::Parameter::Kind;
+    using Type = render::Parameter::Type;
     const render::Value now = *parameter.get(request);
-    switch (parameter.kind) {
-    case Kind::flag:
+    switch (parameter.type) {
+    case Type::flag:
         return !std::get<bool>(now);
-    case Kind::integer:
-    case Kind::number:
-    case Kind::angle: {
+    case Type::integer:
+    case Type::number:
+    case Type::angle: {
         const auto [low, high] = parameter.slider;
         const double middle = std::floor(low + 0.5 * (high - low));
         return std::get<double>(now) == middle ? high : middle;
     }
-    case Kind::colour:
+    case Type::colour:
         return std::array{0.1, 0.2, 0.3};
-    case Kind::choice:
+    case Type::choice:
         for (const std::string_view choice : parameter.choices)
             if (std::string(choice) != std::get<std::string>(now))
                 return std::string(choice);
@@ -180,18 +180,50 @@ TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
     CHECK(seen.size() > render::parameters().size() - 4); // texts and lobes have tests of their own
 }
 
+// Sets an environment variable, or unsets it, until the end of the scope.
+class Variable {
+  public:
+    Variable(const char* name, const char* value) : name_(name) {
+        if (const char* before = std::getenv(name))
+            before_ = before;
+        set(value);
+    }
+    ~Variable() { set(before_ ? before_->c_str() : nullptr); }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    void set(const char* value) { value ? ::setenv(name_, value, 1) : ::unsetenv(name_); }
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
 // A configuration folder of its own.
 struct ConfigFolder {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / fmt::format("gabor-viewer-settings-{}", ::getpid());
-    const char* const before = std::getenv("XDG_CONFIG_HOME");
-    const std::string kept = before ? before : "";
-    ConfigFolder() { ::setenv("XDG_CONFIG_HOME", path.c_str(), 1); }
-    ~ConfigFolder() {
-        before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
-        std::filesystem::remove_all(path);
-    }
+    const Variable variable{"XDG_CONFIG_HOME", path.c_str()};
+    ~ConfigFolder() { std::filesystem::remove_all(path); }
 };
+
+TEST_CASE("settings are below the home folder where nothing names another") {
+    const ConfigFolder home;
+    const Variable none("XDG_CONFIG_HOME", nullptr), alone("HOME", home.path.c_str());
+    Settings settings;
+    settings.document = "a document";
+    save_settings(settings);
+    CHECK(std::filesystem::exists(home.path / ".config/gabor-noise/viewer.json"));
+    CHECK(load_settings().document == "a document");
+}
+
+TEST_CASE("paths in the home folder begin with ~, those of folders whose names begin alike do not") {
+    const Variable home("HOME", "/home/anna");
+    CHECK(path_from_home("/home/anna/a.json") == "~/a.json");
+    CHECK(path_from_home("/home/anna/b/../a.json") == "~/a.json");
+    CHECK(path_from_home("/home/annabel/a.json") == "/home/annabel/a.json");
+    CHECK(path_from_home("/home/ann") == "/home/ann");
+    CHECK(path_from_home("/other/home/anna/a.json") == "/other/home/anna/a.json");
+}
 
 TEST_CASE("settings are read as they were saved") {
     const ConfigFolder folder;
@@ -232,6 +264,8 @@ TEST_CASE("the ten last files are remembered, the last one first") {
         if (i != 5)
             expected.push_back(fmt::format("/file{}", i));
     CHECK(session.recent == expected);
+    add_recent(session, "file5"); // another session may begin in another folder
+    CHECK(session.recent.front() == (std::filesystem::current_path() / "file5").string());
 }
 
 TEST_CASE("a document's view is limited to what the window can show, and a ramp is sorted") {

@@ -91,9 +91,9 @@ class Workshop(EventsTest):
         self.open(*WINDOW, preset)
         self.show_exports()
 
-        def check(kind, count, *options):
+        def check(kind, count, *options, command="render"):
             self.export_as(kind)
-            self.gabor("render", "--like", preset, *options, "-o", "expected.exr")
+            self.gabor(command, "--like", preset, *options, "-o", "expected.exr")
             expected = sorted(path.name for path in self.folder.glob("expected*"))
             self.assertEqual(len(expected), count)
             for each in expected:
@@ -101,7 +101,7 @@ class Workshop(EventsTest):
                 (self.folder / each).unlink()
 
         check(ANIMATION, 4, "--frames", 2, "--png", "expected.png")
-        check(TEXTURE, 1, "--texture")
+        check(TEXTURE, 1, command="texture")
         self.close()
 
     def test_maps_have_the_bytes_of_gabor_render(self):
@@ -117,8 +117,8 @@ class Workshop(EventsTest):
             self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])
             # As much as the shorter side showed. A tile of mountains shows at least four kernel radii.
             from_above = ["--view=terrain"] if name == "valley" else []
-            self.gabor("render", "--like", preset, *from_above, "--size=64", f"--scale={parameters['scale'] * (64 / 48)!r}", "--tileable",
-                       "--maps", "expected")
+            self.gabor("maps", "--like", preset, *from_above, "--size=64", f"--scale={parameters['scale'] * (64 / 48)!r}", "--tileable",
+                       "-o", "expected")
             names = sorted(path.name for path in (self.folder / "expected").iterdir())
             self.assertEqual(sorted(path.name for path in (self.folder / name).iterdir()), names)
             self.assertEqual(len(names), 11)

@@ -2,7 +2,7 @@
 
 #include "bench/subjects.hpp"
 #include "error.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 #include "seconds.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/quantile.hpp"
@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <memory>
+#include <thread>
 
 namespace gabor::bench {
 
@@ -89,14 +91,23 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
     return measurement;
 }
 
+// The CPU time of a run, shared by all cores: on a CPU, other work does not count.
+double cpu_seconds(const std::function<double()>& run) {
+    const std::clock_t start = std::clock();
+    run();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / std::thread::hardware_concurrency();
+}
+
 // Interleaves the noises, so that other load on the machine affects all alike. An idle GPU takes a while to
 // reach its full clock rate.
-void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
+void interleave(Measurements& measurements, int repetitions, render::DeviceKind kind,
+                const std::function<void()>& step) {
     for (const Clock::time_point start = Clock::now(); seconds_since(start) < 0.5;)
         measurements.back().run();
     for (int round = -1; round < repetitions; ++round) {
         for (Measurement& measurement : measurements) {
-            const double seconds = measurement.run();
+            const double seconds =
+                kind == render::DeviceKind::cpu ? cpu_seconds(measurement.run) : measurement.run();
             if (round >= 0)
                 measurement.seconds.push_back(seconds);
             step();
@@ -165,7 +176,8 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
         measurements.push_back(per_pixel(device, subject, base, picture));
     for (const noise::Recipe& recipe : noise::recipes())
         measurements.push_back(bake(device, recipe, base, picture));
-    interleave(measurements, effort.repetitions, step);
+    const render::DeviceKind kind = render::kind_of(device);
+    interleave(measurements, effort.repetitions, kind, step);
 
     const vulkan::Buffer values(device, bytes(sample_side), vulkan::Memory::readback);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -186,7 +198,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
         trends.push_back(per_pixel(device, *subject, setting, picture));
         trends.push_back(bake(device, recipe, setting, picture));
     }
-    interleave(trends, effort.repetitions, step);
+    interleave(trends, effort.repetitions, kind, step);
     report.trends = rows(trends);
     return report;
 }

@@ -24,7 +24,7 @@ struct Row {
     int side = 0;       ///< side of the square picture, in pixels; for a noise, the square root of its values
     double scale = 0;   ///< pixels per kernel radius
     double frequency = 0;
-    Quartiles seconds;   ///< time for the whole picture, by the device's own clock
+    Quartiles seconds;   ///< time for the whole picture: a GPU's clock, or the CPU time of each core
     double pipeline = 0; ///< seconds to create the pipeline, the first time in this process
     std::optional<statistics::Estimate> cvm; ///< cvm of the noise; absent if not measured
 

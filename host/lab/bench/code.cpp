@@ -1,6 +1,6 @@
 #include "bench/bench.hpp"
 #include "bench/subjects.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include <fmt/format.h>
 

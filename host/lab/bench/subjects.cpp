@@ -1,11 +1,12 @@
 #include "bench/subjects.hpp"
 
 #include "recipe_modules.hpp"
-#include "render/plan.hpp"
-#include "render/plan_parts.hpp"
+#include "render/plan/plan.hpp"
+#include "render/plan/plan_parts.hpp"
 
 #include "passes/bench/erosion.h"
 #include "passes/bench/erosion_lattice_2.h"
+#include "passes/bench/fractal.h"
 #include "passes/bench/recipe.h"
 #include "passes/bench/recipe_lattice_2.h"
 #include "passes/bench/recipe_lattice_3.h"
@@ -31,15 +32,19 @@ void add_yardsticks(std::vector<Subject>& all) {
     auto add = [&all, number = 0u](std::string_view name, double kernels, bool has_loops = false) mutable {
         all.push_back({std::string(name), kernels, yardsticks_spirv, nullptr, {number++}});
         all.back().has_loops = has_loops;
-        all.back().measure_cvm = name == advice_yardstick || name == seminal_yardstick;
+        all.back().measure_cvm =
+            name == advice_yardstick || name == seminal_yardstick || name == dense_yardstick;
     };
     add(perlin_yardstick, 0);
+    add("Perlin noise and gradient", 0);
+    add("Perlin fBm and gradient, 5 octaves", 0);
     add(simplex_yardstick, 0);
     add(advice_yardstick, 18);
     add("Gabor noise of 72 kernels", 72, true);
     add("phasor noise, 144 kernels", 144, true);
     add("stripes of 16 random splats", 16, true);
-    add(seminal_yardstick, 270, true);
+    add(seminal_yardstick, 183, true);
+    add(dense_yardstick, 270, true);
 }
 
 // The options are those of passes/bench/erosion.comp: splats and octaves.
@@ -82,6 +87,22 @@ void add_space(std::vector<Subject>& all) {
         all.push_back({name, 27, space_spirv, nullptr, {++number}});
 }
 
+// Adds the functions of passes/bench/fractal.comp, in the order of their numbers. The last option is the
+// number of octaves. The code of sums leaves out what turns an octave.
+void add_fractal(std::vector<Subject>& all) {
+    auto add = [&all, number = 0u](std::string name, int octaves) mutable {
+        all.push_back(
+            {std::move(name), 0, fractal_spirv, nullptr, {number++, std::max<std::uint32_t>(octaves, 1)}});
+        all.back().octaves = octaves;
+    };
+    add("gabor_smooth", 0);
+    add("gabor_perlin", 0);
+    add("gabor_perlin and gradient", 0);
+    for (const char* name :
+         {"gabor_fbm", "gabor_fbm and gradient", "gabor_fbm and gradient, filtered", "gabor_fbm_3d"})
+        add(fmt::format("{}, 5 octaves", name), 5);
+}
+
 // Adds the functions of passes/bench/water.comp, in the order of their numbers.
 void add_water(std::vector<Subject>& all) {
     std::uint32_t number = 0;
@@ -101,6 +122,7 @@ std::vector<Subject> subjects() {
     all.push_back(eroded("gabor_eroded, 5 octaves, 3 taps", erosion_spirv, false));
     all.push_back(eroded("gabor_eroded, 5 octaves, 2 taps", erosion_lattice_2_spirv, false));
     all.push_back(eroded("erosion with 16 random splats, 5 octaves", erosion_spirv, true));
+    add_fractal(all);
     add_water(all);
     add_yardsticks(all);
     return all;

@@ -4,7 +4,7 @@
 #include "cli/terminal.hpp"
 #include "image/output_file.hpp"
 #include "lab/cli/commands.hpp"
-#include "render/renderer.hpp"
+#include "render/output/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -165,7 +165,7 @@ void run_bench(const BenchOptions& options) {
 void add_bench_command(CLI::App& app) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App* command =
-        app.add_subcommand("bench", "Time all noises with the device's own clock and compare them");
+        app.add_subcommand("bench", "Time all noises by a GPU's clock or by CPU time, and compare them");
     command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
     cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,

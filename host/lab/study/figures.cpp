@@ -4,7 +4,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "render/file.hpp"
+#include "render/output/file.hpp"
 #include "study/measures.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "study/noise.hpp"
 
 #include "recipe_modules.hpp"
-#include "render/plan.hpp"
+#include "render/plan/plan.hpp"
 
 #include "passes/drop_in.h"
 #include "passes/drop_in_lattice_2.h"

@@ -62,7 +62,7 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     orientation: direction of waves and drift in radians, from +x to the right towards +y down.
     orientation_bandwidth: full width over directions in radians, 0.01 to 2; None for all directions.
     drift_per_frame: pixels that the pattern moves as a whole from frame to frame.
-    contrast: rms contrast: multiply by the mean luminance and add it.
+    contrast: rms contrast of the values. For luminances, multiply them by the mean luminance, then add the mean luminance.
     pixels_per_degree: if given, frequency is in cycles per degree of visual angle, and drift_per_frame in degrees.
     """
     unit = 1.0 if pixels_per_degree is None else number("pixels_per_degree", pixels_per_degree)

@@ -173,12 +173,12 @@ void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::c
         });
 }
 
-namespace Kind {
+namespace Type {
 const char* const number = "number";
 const char* const integer = "integer";
 const char* const angle = "angle";
 const char* const colour = "colour";
-} // namespace Kind
+} // namespace Type
 
 // What the drop-ins say about a member of a struct: angles in degrees here, as on gabor's command line.
 struct Row {

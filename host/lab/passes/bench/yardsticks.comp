@@ -13,16 +13,22 @@ float value(vec2 p, uint instance) {
     default:
         return perlin_noise(p, frequency, instance);
     case 1:
-        return simplex_noise(p, frequency, instance);
+        return dot(perlin_noise_gradient(p, frequency, instance), vec3(1.0));
     case 2:
-        return advice_noise(p, frequency, orientation, instance);
+        return dot(perlin_fbm(p, frequency, 0.5, instance), vec3(1.0));
     case 3:
-        return gabor_72_noise(p, frequency, orientation, instance);
+        return simplex_noise(p, frequency, instance);
     case 4:
-        return phasor_noise(p, frequency, orientation, instance);
+        return advice_noise(p, frequency, orientation, instance);
     case 5:
-        return splats_16_noise(p, frequency, orientation, instance);
+        return gabor_72_noise(p, frequency, orientation, instance);
     case 6:
+        return phasor_noise(p, frequency, orientation, instance);
+    case 7:
+        return splats_16_noise(p, frequency, orientation, instance);
+    case 8:
+        return seminal_183_noise(p, frequency, orientation, instance);
+    case 9:
         return seminal_noise(p, frequency, orientation, instance);
     }
 }

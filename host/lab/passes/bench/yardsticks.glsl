@@ -1,155 +1,250 @@
-// The noises that gabor_noise is compared with, each written plainly, as a competent author would publish it. p is in
-// kernel radii, and `frequency` in waves per kernel radius.
+// The noises that gabor_noise is compared with, each as an expert would write it for speed. p is in kernel radii, and
+// `frequency` in waves per kernel radius: for noises without a direction, the centroid of their power spectrum.
+// Perlin, simplex and Gabor noises have mean 0 and variance 1.
 //
 // docs/benchmark.html times the same code in browsers.
 
-// ---- Hashes ----
+// ---- Hash ----
 
-uint yardstick_word(ivec2 cell, uint seed) {
-    uint word = uint(cell.x) * 0x9e3779b1u ^ (uint(cell.y) * 0x85ebca6bu + seed);
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+// 2^32 / g, / g^2 and / g^3 with g^4 = g + 1, whose multiples keep apart [Roberts' R3 sequence]
+#define YARDSTICK_COLUMN 0xd1b54a33u
+#define YARDSTICK_ROW 0xabc98389u
+#define YARDSTICK_SEED 0x8cb92ba7u
+
+uint yardstick_state(ivec2 cell, uint seed) {
+    return uint(cell.x) * YARDSTICK_COLUMN + uint(cell.y) * YARDSTICK_ROW + seed * YARDSTICK_SEED;
 }
 
-// Returns the next value in [0, 1] of a multiplicative congruential generator.
-float yardstick_uniform(inout uint generator) {
-    generator *= 3039177861u;
-    return float(generator) / 4294967296.0;
-}
-
-uint yardstick_generator(ivec2 cell, uint seed) {
-    return yardstick_word(cell, seed) | 1u;
+// Mixes with one product of 24-bit numbers, which GPUs compute four times as fast as one of 32-bit numbers.
+uint yardstick_word(uint state) {
+    state ^= state >> 16u;
+    return (state >> 8u) * (state & 0xffffffu);
 }
 
 // ---- Perlin's noises ----
 
-// Returns the dot product of the offset and one of eight gradients.
-float yardstick_slope(ivec2 corner, vec2 offset, uint seed) {
-    uint word = yardstick_word(corner, seed);
-    vec2 along = (word & 1u) == 0u ? offset : offset.yx;
-    float u = (word & 2u) == 0u ? along.x : -along.x;
-    float v = (word & 4u) == 0u ? along.y : -along.y;
-    return u + 0.5 * v;
+// Both components are uniform.
+vec2 yardstick_slope(uint word) {
+    return vec2(float(int(word) >> 16), float(int(word << 16u) >> 16));
 }
 
-// Perlin, "Improving noise", 2002, in two dimensions. Each wave spans two cells.
+// Perlin, "Improving noise", 2002, in two dimensions.
 float perlin_noise(vec2 p, float frequency, uint seed) {
-    p *= 2.0 * frequency;
+    p *= 1.6262871 * frequency; // cells per wave
     vec2 corner = floor(p);
-    ivec2 cell = ivec2(corner);
     vec2 f = p - corner;
     vec2 fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    float a = yardstick_slope(cell, f, seed);
-    float b = yardstick_slope(cell + ivec2(1, 0), f - vec2(1.0, 0.0), seed);
-    float c = yardstick_slope(cell + ivec2(0, 1), f - vec2(0.0, 1.0), seed);
-    float d = yardstick_slope(cell + ivec2(1, 1), f - vec2(1.0, 1.0), seed);
-    return mix(mix(a, b, fade.x), mix(c, d, fade.x), fade.y);
+    uint state = yardstick_state(ivec2(corner), seed);
+    float a = dot(yardstick_slope(yardstick_word(state)), f);
+    float b = dot(yardstick_slope(yardstick_word(state + YARDSTICK_COLUMN)), f - vec2(1.0, 0.0));
+    float c = dot(yardstick_slope(yardstick_word(state + YARDSTICK_ROW)), f - vec2(0.0, 1.0));
+    float d = dot(yardstick_slope(yardstick_word(state + YARDSTICK_COLUMN + YARDSTICK_ROW)), f - vec2(1.0, 1.0));
+    return 5.677717 / 32768.0 * mix(mix(a, b, fade.x), mix(c, d, fade.x), fade.y);
 }
 
-float yardstick_corner(ivec2 corner, vec2 offset, uint seed) {
+// (perlin_noise, d/dx, d/dy)
+vec3 perlin_noise_gradient(vec2 p, float frequency, uint seed) {
+    float cells = 1.6262871 * frequency;
+    p *= cells;
+    vec2 corner = floor(p);
+    vec2 f = p - corner;
+    vec2 fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec2 slope = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+    uint state = yardstick_state(ivec2(corner), seed);
+    vec2 along_a = yardstick_slope(yardstick_word(state));
+    vec2 along_b = yardstick_slope(yardstick_word(state + YARDSTICK_COLUMN));
+    vec2 along_c = yardstick_slope(yardstick_word(state + YARDSTICK_ROW));
+    vec2 along_d = yardstick_slope(yardstick_word(state + YARDSTICK_COLUMN + YARDSTICK_ROW));
+    float a = dot(along_a, f);
+    float b = dot(along_b, f - vec2(1.0, 0.0));
+    float c = dot(along_c, f - vec2(0.0, 1.0));
+    float d = dot(along_d, f - vec2(1.0, 1.0));
+    float near = mix(a, b, fade.x);
+    float far = mix(c, d, fade.x);
+    vec2 along = mix(mix(along_a, along_b, fade.x), mix(along_c, along_d, fade.x), fade.y);
+    along += slope * vec2(mix(b - a, d - c, fade.y), far - near);
+    return 5.677717 / 32768.0 * vec3(mix(near, far, fade.y), cells * along);
+}
+
+vec2 yardstick_product(vec2 a, vec2 b) { // of complex numbers
+    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+vec3 yardstick_octave(vec2 p, vec2 turn, float frequency, uint seed) {
+    vec3 noise = perlin_noise_gradient(yardstick_product(turn, p), frequency, seed);
+    return vec3(noise.x, yardstick_product(vec2(turn.x, -turn.y), noise.yz));
+}
+
+// Five octaves: (value, d/dx, d/dy). Each is turned by 37 degrees from the one before: the factors are the powers of
+// 1.6 + 1.2 i. `frequency` is that of the first octave, and `gain` the ratio of the amplitudes of neighbouring octaves.
+vec3 perlin_fbm(vec2 p, float frequency, float gain, uint seed) {
+    vec3 sum = yardstick_octave(p, vec2(-13.4912, 8.6016), frequency, seed + 4u);
+    sum = gain * sum + yardstick_octave(p, vec2(-2.816, 7.488), frequency, seed + 3u);
+    sum = gain * sum + yardstick_octave(p, vec2(1.12, 3.84), frequency, seed + 2u);
+    sum = gain * sum + yardstick_octave(p, vec2(1.6, 1.2), frequency, seed + 1u);
+    sum = gain * sum + perlin_noise_gradient(p, frequency, seed);
+    float power = gain * gain;
+    return sum * inversesqrt(1.0 + power * (1.0 + power * (1.0 + power * (1.0 + power))));
+}
+
+float yardstick_corner(uint state, vec2 offset) {
     float near = max(0.5 - dot(offset, offset), 0.0);
     near *= near;
-    return near * near * yardstick_slope(corner, offset, seed);
+    return near * near * dot(yardstick_slope(yardstick_word(state)), offset);
 }
 
 // Perlin, "Noise hardware", 2001: simplex noise, in two dimensions. Sums the three corners of a triangle.
 float simplex_noise(vec2 p, float frequency, uint seed) {
-    p *= 2.0 * frequency;
+    p *= 0.9806820 * frequency;
     const float skew = 0.36602540; // (sqrt(3) - 1) / 2
     const float back = 0.21132487; // (3 - sqrt(3)) / 6
     vec2 corner = floor(p + skew * (p.x + p.y));
-    ivec2 cell = ivec2(corner);
     vec2 f = p - corner + back * (corner.x + corner.y);
-    vec2 middle = f.x > f.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    return 70.0 * (yardstick_corner(cell, f, seed) + yardstick_corner(cell + ivec2(middle), f - middle + back, seed)
-                   + yardstick_corner(cell + ivec2(1, 1), f - 1.0 + 2.0 * back, seed));
+    bool right = f.x > f.y;
+    vec2 middle = right ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    uint state = yardstick_state(ivec2(corner), seed);
+    return 225.41178 / 32768.0
+         * (yardstick_corner(state, f)
+            + yardstick_corner(state + (right ? YARDSTICK_COLUMN : YARDSTICK_ROW), f - middle + back)
+            + yardstick_corner(state + YARDSTICK_COLUMN + YARDSTICK_ROW, f - 1.0 + 2.0 * back));
 }
 
 // ---- Sparse convolution ----
 
-int yardstick_poisson(float mean, inout uint generator) { // Knuth's method
-    float limit = exp(-mean);
-    int count = 0;
-    float product = yardstick_uniform(generator);
-    while (product > limit) {
+// An impulse has one word: 11 bits of its place along each axis, in 2^-32 radii from the middle of its cell, and 10 bits
+// of its weight or phase. All three are between -2^31 and 2^31.
+vec3 yardstick_impulse(uint word) {
+    return vec3(float(int(word)), float(int(word << 11u)), float(int(word << 22u)));
+}
+
+uint yardstick_generator(ivec2 cell, uint seed) {
+    return yardstick_word(yardstick_state(cell, seed));
+}
+
+// The next impulse of a cell.
+vec3 yardstick_next(inout uint generator) {
+    generator = generator * 747796405u + 2891336453u;
+    return yardstick_impulse(generator ^ (generator >> 16u));
+}
+
+float yardstick_gaussian(vec2 d) {
+    return exp2(-4.5323601 * dot(d, d)); // exp(-pi d^2)
+}
+
+vec2 yardstick_wave(float frequency, float orientation) {
+    return 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+}
+
+// Returns a Poisson count. Searches the distribution function from the count `at`, whose probability and cumulative
+// probability are these.
+int yardstick_poisson(uint generator, float mean, int at, float probability, float cumulative) {
+    float share = (float(int(generator >> 16u)) + 0.5) / 65536.0;
+    int count = at;
+    while (cumulative < share) {
         ++count;
-        product *= yardstick_uniform(generator);
+        probability *= mean / float(count);
+        cumulative += probability;
+    }
+    while (cumulative - probability > share) {
+        cumulative -= probability;
+        probability *= float(count) / mean;
+        --count;
     }
     return count;
 }
 
-// Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using sparse Gabor convolution", 2009. Each of 9 cells has 30
-// impulses on average.
+float yardstick_cell(vec2 offset, vec2 wave, uint generator, int count) {
+    float sum = 0.0;
+    for (int k = 0; k < count; ++k) {
+        vec3 impulse = yardstick_next(generator);
+        vec2 d = offset - impulse.xy / 4294967296.0;
+        if (dot(d, d) < 1.0)
+            sum += impulse.z * yardstick_gaussian(d) * cos(dot(wave, d));
+    }
+    return sum;
+}
+
+// Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using sparse Gabor convolution", 2009, with 30 impulses on
+// average in each of 9 cells.
 float seminal_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
-    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 f = p - corner - 0.5;
+    vec2 wave = yardstick_wave(frequency, orientation);
     float sum = 0.0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
-            int count = yardstick_poisson(30.0, generator);
-            for (int k = 0; k < count; ++k) {
-                float x = yardstick_uniform(generator);
-                float y = yardstick_uniform(generator);
-                float weight = 2.0 * yardstick_uniform(generator) - 1.0;
-                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
-                if (dot(d, d) < 1.0)
-                    sum += weight * exp(-3.14159265 * dot(d, d)) * cos(dot(wave, d));
-            }
+            int count = yardstick_poisson(generator, 30.0, 30, 0.072634527, 0.54835151);
+            sum += yardstick_cell(f - vec2(float(i), float(j)), wave, generator, count);
         }
     }
-    return 0.634 * sum;
+    return 0.633 / 2147483648.0 * sum;
 }
 
-float yardstick_impulse(vec2 offset, vec2 wave, inout uint generator) {
-    float x = yardstick_uniform(generator);
-    float y = yardstick_uniform(generator);
-    float weight = yardstick_uniform(generator) < 0.5 ? -1.0 : 1.0;
-    vec2 d = offset - vec2(x, y);
-    return dot(d, d) < 1.0 ? weight * exp(-3.14159265 * dot(d, d)) * sin(dot(wave, d)) : 0.0;
+// The same with the density of the authors' code: 64 impulses per disk of a kernel, 20.4 in each cell.
+float seminal_183_noise(vec2 p, float frequency, float orientation, uint seed) {
+    vec2 corner = floor(p);
+    vec2 f = p - corner - 0.5;
+    vec2 wave = yardstick_wave(frequency, orientation);
+    float sum = 0.0;
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
+            int count = yardstick_poisson(generator, 20.371833, 20, 0.088532530, 0.52609838);
+            sum += yardstick_cell(f - vec2(float(i), float(j)), wave, generator, count);
+        }
+    }
+    return 0.768 / 2147483648.0 * sum;
 }
 
-float yardstick_pair(ivec2 cell, vec2 offset, vec2 wave, uint seed) {
-    uint generator = yardstick_generator(cell, seed);
-    float first = yardstick_impulse(offset, wave, generator);
-    return first + yardstick_impulse(offset, wave, generator);
+float yardstick_odd_wave(uint state, vec2 offset, vec2 wave) {
+    vec3 impulse = yardstick_impulse(yardstick_word(state));
+    vec2 d = offset - impulse.xy / 4294967296.0;
+    float value = yardstick_gaussian(d) * sin(dot(wave, d));
+    return dot(d, d) >= 1.0 ? 0.0 : impulse.z < 0.0 ? -value : value;
+}
+
+float yardstick_pair(uint state, vec2 offset, vec2 wave) {
+    return yardstick_odd_wave(state, offset, wave) + yardstick_odd_wave(state + 0x732b5e51u, offset, wave);
 }
 
 // Tavernier, Neyret, Vergne and Thollot, "Making Gabor noise fast and normalized", 2019. Each of 9 cells has 2 impulses. The
 // loop over cells is unrolled by hand, because a compiler that estimates cycles can only guess how often a loop runs.
 float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
-    ivec2 cell = ivec2(corner);
-    vec2 f = p - corner;
-    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
-    float sum = yardstick_pair(cell + ivec2(-1, -1), f - vec2(-1.0, -1.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(0, -1), f - vec2(0.0, -1.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(1, -1), f - vec2(1.0, -1.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(-1, 0), f - vec2(-1.0, 0.0), wave, seed);
-    sum += yardstick_pair(cell, f, wave, seed);
-    sum += yardstick_pair(cell + ivec2(1, 0), f - vec2(1.0, 0.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(-1, 1), f - vec2(-1.0, 1.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(0, 1), f - vec2(0.0, 1.0), wave, seed);
-    sum += yardstick_pair(cell + ivec2(1, 1), f - vec2(1.0, 1.0), wave, seed);
+    vec2 f = p - corner - 0.5;
+    vec2 wave = yardstick_wave(frequency, orientation);
+    uint middle = yardstick_state(ivec2(corner), seed);
+    uint below = middle - YARDSTICK_ROW;
+    uint above = middle + YARDSTICK_ROW;
+    float sum = yardstick_pair(below - YARDSTICK_COLUMN, f - vec2(-1.0, -1.0), wave);
+    sum += yardstick_pair(below, f - vec2(0.0, -1.0), wave);
+    sum += yardstick_pair(below + YARDSTICK_COLUMN, f - vec2(1.0, -1.0), wave);
+    sum += yardstick_pair(middle - YARDSTICK_COLUMN, f - vec2(-1.0, 0.0), wave);
+    sum += yardstick_pair(middle, f, wave);
+    sum += yardstick_pair(middle + YARDSTICK_COLUMN, f - vec2(1.0, 0.0), wave);
+    sum += yardstick_pair(above - YARDSTICK_COLUMN, f - vec2(-1.0, 1.0), wave);
+    sum += yardstick_pair(above, f - vec2(0.0, 1.0), wave);
+    sum += yardstick_pair(above + YARDSTICK_COLUMN, f - vec2(1.0, 1.0), wave);
     return 1.416 * sum;
 }
 
 // Gabor noise as 3D packages compute it: a complex sum over 8 impulses in each of 9 cells.
 float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
-    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 f = p - corner - 0.5;
+    vec2 wave = yardstick_wave(frequency, orientation);
     vec2 sum = vec2(0.0);
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
             for (int k = 0; k < 8; ++k) {
-                float x = yardstick_uniform(generator);
-                float y = yardstick_uniform(generator);
-                float weight = yardstick_uniform(generator) < 0.5 ? -1.0 : 1.0;
-                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
-                if (dot(d, d) < 1.0)
-                    sum += weight * exp(-3.14159265 * dot(d, d)) * vec2(cos(dot(wave, d)), sin(dot(wave, d)));
+                vec3 impulse = yardstick_next(generator);
+                vec2 d = f - vec2(float(i), float(j)) - impulse.xy / 4294967296.0;
+                if (dot(d, d) < 1.0) {
+                    float weight = impulse.z < 0.0 ? -yardstick_gaussian(d) : yardstick_gaussian(d);
+                    sum += weight * vec2(cos(dot(wave, d)), sin(dot(wave, d)));
+                }
             }
         }
     }
@@ -160,18 +255,17 @@ float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
 // cells. The impulses have random phases.
 float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
-    vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 f = p - corner - 0.5;
+    vec2 wave = yardstick_wave(frequency, orientation);
     vec2 sum = vec2(0.0);
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
             uint generator = yardstick_generator(ivec2(corner) + ivec2(i, j), seed);
             for (int k = 0; k < 16; ++k) {
-                float x = yardstick_uniform(generator);
-                float y = yardstick_uniform(generator);
-                float phase = 6.2831853 * yardstick_uniform(generator);
-                vec2 d = p - corner - vec2(float(i) + x, float(j) + y);
-                float angle = dot(wave, d) + phase;
-                sum += exp(-3.14159265 * dot(d, d)) * vec2(cos(angle), sin(angle));
+                vec3 impulse = yardstick_next(generator);
+                vec2 d = f - vec2(float(i), float(j)) - impulse.xy / 4294967296.0;
+                float angle = dot(wave, d) + 6.2831853 / 4294967296.0 * impulse.z;
+                sum += yardstick_gaussian(d) * vec2(cos(angle), sin(angle));
             }
         }
     }
@@ -182,15 +276,15 @@ float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
 float splats_16_noise(vec2 p, float frequency, float orientation, uint seed) {
     p *= 1.5;
     vec2 corner = floor(p);
-    vec2 wave = 6.2831853 / 1.5 * frequency * vec2(cos(orientation), sin(orientation));
+    vec2 wave = yardstick_wave(frequency / 1.5, orientation);
     vec2 sum = vec2(0.0);
     float weights = 0.0;
     for (int j = -1; j <= 2; ++j) {
         for (int i = -1; i <= 2; ++i) {
-            uint word = yardstick_word(ivec2(corner) + ivec2(i, j), seed);
-            vec2 place = vec2(float(word & 0xffffu), float(word >> 16u)) / 65536.0;
+            uint word = yardstick_word(yardstick_state(ivec2(corner) + ivec2(i, j), seed));
+            vec2 place = vec2(float(int(word & 0xffffu)), float(int(word >> 16u))) / 65536.0;
             vec2 d = p - corner - vec2(float(i), float(j)) - 0.5 * (place - 0.5);
-            float weight = max(exp(-2.0 * dot(d, d)) - 0.01111, 0.0);
+            float weight = max(exp2(-2.8853901 * dot(d, d)) - 0.01111, 0.0); // exp(-2 d^2)
             float angle = dot(wave, d) + 6.2831853 * place.x;
             sum += weight * vec2(cos(angle), sin(angle));
             weights += weight;

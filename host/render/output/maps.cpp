@@ -1,0 +1,339 @@
+#include "render/output/maps.hpp"
+
+#include "error.hpp"
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+#include "image/png.hpp"
+#include "render/output/texture.hpp"
+#include "render/request/material.hpp"
+#include "render/request/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace gabor::render {
+
+namespace {
+
+constexpr std::size_t height_channel = passes::material_height;
+constexpr std::size_t roughness_channel = passes::material_roughness;
+constexpr std::size_t normal_channel = passes::material_lit;
+constexpr std::size_t occlusion_channel = normal_channel + 3;
+
+// The channels of a material up to its light, then the normal and the occlusion.
+const std::vector<std::string> map_channels = [] {
+    std::vector<std::string> names(material_channels.begin(), material_channels.begin() + normal_channel);
+    names.insert(names.end(), {"normal.x", "normal.y", "normal.z", "occlusion"});
+    return names;
+}();
+
+image::Rect whole_of(const Request& request) {
+    return {0, 0, request.width, request.height};
+}
+
+// All channels of all pixels, row by row.
+struct Maps {
+    int width;
+    int height;
+    bool tiled;
+    double scale; // pixels per unit
+    std::vector<float> values;
+
+    float* at(int x, int y) {
+        return &values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)) *
+                       map_channels.size()];
+    }
+
+    // Beyond an edge, a tile wraps around, and other maps repeat the nearest pixel.
+    double height_at(int x, int y) {
+        const auto within = [this](int i, int side) {
+            if (!tiled)
+                return std::clamp(i, 0, side - 1);
+            const int rest = i % side;
+            return rest < 0 ? rest + side : rest;
+        };
+        return double{at(within(x, width), within(y, height))[height_channel]};
+    }
+
+    std::size_t row_values() const { return static_cast<std::size_t>(width) * map_channels.size(); }
+
+    std::pair<float, float> heights() const {
+        float low = values[height_channel];
+        float high = low;
+        for (std::size_t i = height_channel; i < values.size(); i += map_channels.size()) {
+            low = std::min(low, values[i]);
+            high = std::max(high, values[i]);
+        }
+        return {low, high};
+    }
+
+    // Sets the share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
+    void set_occlusion(int x, int y) {
+        constexpr std::array<std::array<int, 2>, 8> directions{
+            {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+        const double here = height_at(x, y);
+        double open = 0;
+        for (const auto& [dx, dy] : directions) {
+            double steepest = 0;
+            for (int step = 1; step <= 32; step *= 2)
+                steepest = std::max(steepest, (height_at(x + step * dx, y + step * dy) - here) / step);
+            steepest *= scale / (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1);
+            open += 1 / (1 + steepest * steepest) / static_cast<double>(directions.size());
+        }
+        at(x, y)[occlusion_channel] = static_cast<float>(open);
+    }
+};
+
+// Replaces the channels that mip levels cannot average: the roughness r with r^4, the second moment of the
+// microfacets' slopes, and the normal with the slopes along x and y and the sum of their squares.
+std::vector<float> averaged_from(std::span<const float> maps) {
+    std::vector<float> averaged(maps.begin(), maps.end());
+    for (std::size_t i = 0; i < averaged.size(); i += map_channels.size()) {
+        float* const pixel = &averaged[i];
+        float* const normal = pixel + normal_channel;
+        pixel[roughness_channel] = std::pow(pixel[roughness_channel], 4.0f);
+        const float right = -normal[0] / normal[2];
+        const float down = normal[1] / normal[2];
+        normal[0] = right;
+        normal[1] = down;
+        normal[2] = right * right + down * down;
+    }
+    return averaged;
+}
+
+// Converts averages back to maps. The slopes that averaging removed make the surface rougher, as in
+// gabor_roughness: alpha^2 = r^4 grows with their variance (an isotropic form of Olano and Baker, "LEAN
+// mapping", 2010).
+std::vector<float> maps_from(std::span<const float> averaged) {
+    std::vector<float> maps(averaged.begin(), averaged.end());
+    for (std::size_t i = 0; i < maps.size(); i += map_channels.size()) {
+        float* const pixel = &maps[i];
+        float* const normal = pixel + normal_channel;
+        const float right = normal[0];
+        const float down = normal[1];
+        // The variance of the lost slopes, summed over both axes.
+        const float lost = std::max(normal[2] - right * right - down * down, 0.0f);
+        pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + 0.5f * lost, 1.0f), 0.25f);
+        const float length = std::sqrt(right * right + down * down + 1);
+        normal[0] = -right / length;
+        normal[1] = down / length;
+        normal[2] = 1 / length;
+    }
+    return maps;
+}
+
+// Appends the maps of a rendered pixel, except for its occlusion.
+void append_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
+    constexpr float rough_ground = 1;
+    const std::size_t slope = terrain ? passes::terrain_slope : passes::material_slope;
+    maps.insert(maps.end(), pixel.begin(), pixel.begin() + height_channel + 1);
+    maps.push_back(terrain ? rough_ground : pixel[roughness_channel]);
+    maps.push_back(terrain ? 0 : pixel[passes::material_metalness]);
+    const double right = -double{pixel[slope]};
+    const double up = double{pixel[slope + 1]};
+    const double length = std::sqrt(right * right + up * up + 1);
+    for (const double part : {right, up, 1.0})
+        maps.push_back(static_cast<float>(part / length));
+    maps.push_back(0);
+}
+
+Maps draw_maps(const vulkan::Device& device, const Request& request, const image::Advance& advance) {
+    const bool terrain = request.kind == Kind::terrain;
+    const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
+    Maps maps{request.width, request.height, request.view.tileable, request.scale / unit, {}};
+    maps.values.reserve(maps.row_values() * static_cast<std::size_t>(request.height));
+    const std::size_t channels = render::channels(request).size();
+    render_region(device, request, whole_of(request), [&](std::span<const float> rows) {
+        advance(rows.size() / channels);
+        for (std::size_t i = 0; i < rows.size(); i += channels)
+            append_maps(rows.subspan(i, channels), terrain, maps.values);
+    });
+    for (int y = 0; y < request.height; ++y) {
+        advance(0);
+        for (int x = 0; x < request.width; ++x)
+            maps.set_occlusion(x, y);
+    }
+    return maps;
+}
+
+// One PNG of the set, with the channels that it stores.
+struct Png {
+    std::string_view name;
+    std::vector<std::size_t> channels;
+    int bits = 8;
+};
+
+std::vector<Png> pngs_of(const MapFormat& format) {
+    const std::vector<std::size_t> normal{normal_channel, normal_channel + 1, normal_channel + 2};
+    std::vector<Png> pngs{{"base_color", {0, 1, 2}},
+                          {"normal", normal, format.normal_bits},
+                          {"height", {height_channel}, 16},
+                          {"roughness", {roughness_channel}},
+                          {"metalness", {passes::material_metalness}},
+                          {"occlusion", {occlusion_channel}},
+                          {"orm", {occlusion_channel, roughness_channel, passes::material_metalness}}};
+    if (format.directx)
+        pngs.push_back({"normal_directx", normal, format.normal_bits});
+    return pngs;
+}
+
+std::filesystem::path png_path(const std::filesystem::path& folder, const Png& png) {
+    return folder / fmt::format("{}.png", png.name);
+}
+
+constexpr const char* exr_name = "maps.exr";
+constexpr const char* materialx_name = "material.mtlx";
+constexpr const char* gltf_name = "material.gltf";
+constexpr const char* summary_name = "material.json";
+
+image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format) {
+    image::ExrHeader header = exr_header(request, whole_of(request), software(device));
+    header.channels = map_channels;
+    header.compression = format.compression;
+    if (format.texture)
+        header.texture = image::ExrHeader::Texture{format.half, request.view.tileable};
+    return header;
+}
+
+// What to add before rounding to 8 bits, in steps, so that reflections have no bands: neighbours share evenly
+// between -1/2 and 1/2 (Jimenez, "Next generation post processing in Call of Duty", 2014).
+float dither(std::size_t x, std::size_t y) {
+    const double wave = 0.06711056 * static_cast<double>(x) + 0.00583715 * static_cast<double>(y);
+    return static_cast<float>(std::fmod(52.9829189 * std::fmod(wave, 1.0), 1.0) - 0.5);
+}
+
+// Writes all channels to the EXR, and each PNG's channels to it. Heights are from `low` to `high`.
+void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>& pngs,
+                std::vector<image::PngWriter>& writers, float low, float high,
+                const image::Advance& advance) {
+    const auto shown = [&](const Png& png, std::size_t channel, float value) {
+        if (channel < height_channel)
+            return srgb(value);
+        if (channel == height_channel)
+            return high > low ? (value - low) / (high - low) : 0.5f;
+        if (channel < normal_channel || channel == occlusion_channel)
+            return value;
+        return 0.5f + (channel == normal_channel + 1 && png.name != "normal" ? -0.5f : 0.5f) * value;
+    };
+    std::vector<float> colours;
+    for (std::size_t at = 0; at < maps.values.size(); at += maps.row_values()) {
+        advance(0);
+        const std::span<const float> row(&maps.values[at], maps.row_values());
+        exr.write_rows(row);
+        for (std::size_t k = 0; k < pngs.size(); ++k) {
+            colours.clear();
+            for (std::size_t i = 0; i < row.size(); i += map_channels.size())
+                for (const std::size_t channel : pngs[k].channels)
+                    colours.push_back(shown(pngs[k], channel, row[i + channel]));
+            if (pngs[k].channels.front() == normal_channel && pngs[k].bits == 8)
+                for (std::size_t i = 0; i < colours.size(); ++i)
+                    colours[i] += dither(i / 3 + 32 * (i % 3), at / maps.row_values()) / 255;
+            writers[k].write_rows(colours);
+        }
+    }
+}
+
+// Writes the levels after the first.
+void write_levels(image::ExrWriter& writer, const Maps& maps) {
+    int width = maps.width;
+    int height = maps.height;
+    std::vector<float> level = averaged_from(maps.values);
+    while (width > 1 || height > 1) {
+        level = halved(level, width, height, map_channels.size());
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        writer.write_rows(maps_from(level));
+    }
+}
+
+void write_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
+                const MapFormat& format, const image::Advance& advance) {
+    const std::vector<Png> pngs = pngs_of(format);
+    std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
+    for (const Png& png : pngs)
+        writers.emplace_back(png_path(folder, png), request.width, request.height,
+                             static_cast<int>(png.channels.size()), png.bits);
+    image::ExrWriter exr(folder / exr_name, header_of(device, request, format));
+    image::OutputFile materialx(folder / materialx_name);
+    image::OutputFile gltf(folder / gltf_name);
+    image::OutputFile json(folder / summary_name);
+
+    const Maps maps = draw_maps(device, request, advance);
+    const std::pair<float, float> heights = maps.heights();
+    write_rows(maps, exr, pngs, writers, heights.first, heights.second, advance);
+    if (format.texture)
+        write_levels(exr, maps);
+    const bool terrain = request.kind == Kind::terrain;
+    const double extent = terrain ? request.extent : 0;
+    const double metres = format.metres.value_or(extent > 0 ? extent : 1);
+    const double unit = extent > 0 ? metres / extent : metres * request.scale / request.width; // of heights
+    std::string name = terrain ? "terrain" : request.material;
+    std::ranges::replace(name, '-', '_'); // as MaterialX requires
+    const auto filled = [&](std::string_view text) {
+        return fmt::format(fmt::runtime(text), fmt::arg("name", name), fmt::arg("version", GABOR_VERSION),
+                           fmt::arg("low", unit * heights.first), fmt::arg("high", unit * heights.second),
+                           fmt::arg("width", metres),
+                           fmt::arg("height", metres * request.height / request.width),
+                           fmt::arg("columns", request.width), fmt::arg("rows", request.height),
+                           fmt::arg("tileable", request.view.tileable));
+    };
+    materialx.write(filled(materialx_template));
+    gltf.write(filled(gltf_template));
+    json.write(filled(json_template));
+    for (image::PngWriter& writer : writers)
+        writer.commit();
+    exr.commit();
+    materialx.commit();
+    gltf.commit();
+    json.commit();
+}
+
+} // namespace
+
+bool has_maps(const Request& request) {
+    return is_surface(request.kind) && request.view.projection == Projection::flat;
+}
+
+void check_maps(const Request& request) {
+    if (!has_maps(request))
+        throw RequestError(
+            "maps require either --view terrain or a material in --view flat, such as --material wood");
+}
+
+void set_side(Request& request, int side) {
+    request.scale *= static_cast<double>(side) / std::min(request.width, request.height);
+    request.width = request.height = side;
+}
+
+void make_tile(Request& request) {
+    request.view.tileable = request.view.projection == Projection::flat;
+    if (const double least = least_tile(request); least > 0)
+        request.scale = std::min(request.scale, std::min(request.width, request.height) / least);
+}
+
+std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format) {
+    std::vector<std::filesystem::path> paths;
+    for (const Png& png : pngs_of(format))
+        paths.push_back(png_path(folder, png));
+    for (const char* name : {exr_name, materialx_name, gltf_name, summary_name})
+        paths.push_back(folder / name);
+    return paths;
+}
+
+void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
+                 const MapFormat& format, const image::Advance& advance) {
+    check_maps(request);
+    if (std::max(request.width, request.height) > most_map_side)
+        throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
+                                       request.width, request.height, most_map_side, most_map_side));
+    const image::OutputFolder created(folder);
+    write_maps(device, request, folder, format, advance);
+}
+
+} // namespace gabor::render
