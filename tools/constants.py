@@ -169,8 +169,58 @@ def below_fits():
         return 1 / (1 + np.exp2(-x * (p[0] + x * x * (p[1] + p[2] * x * x))))
     best, about = refine(model, [2.3, 0.1, 0.0], target, minimax), "the normal distribution function, minimax"
     return [Fit("gabor_materials.glsl", "gabor_impl_below", about, best, lambda p: abs(model(p) - target).max(), 5e-4),
-            *(Fit(file, "gabor_uniform", f"{about}, with exp instead of exp2", best * math.log(2),
-                  lambda p: abs(model(p / math.log(2)) - target).max(), 5e-4) for file in ("gabor_noise.glsl", "gabor_float.glsl"))]
+            Fit("gabor_float.glsl", "gabor_uniform", f"{about}, with exp instead of exp2", best * math.log(2),
+                lambda p: abs(model(p / math.log(2)) - target).max(), 5e-4)]
+
+
+def uniform_fit():
+    x = np.linspace(0.0, 6.0, 2401)[1:]
+    target = normal_below(x)
+
+    def model(p):
+        return 1 / (1 + np.exp(-x * (p[0] + x * x * (p[1] + p[2] * x * x))))
+    return Fit("gabor_noise.glsl", "gabor_uniform", "the normal distribution function, minimax up to 6",
+               refine(model, [1.6, 0.07, 0.0], target, minimax), lambda p: abs(model(p) - target).max(), 1e-3)
+
+
+def fractal_fits():
+    """Correlations of the filtered windows of gabor_fractal.glsl with exactly filtered ones, as a function of the pixel's variance."""
+    step = 1 / 64
+    d = np.arange(-2 + step / 2, 2, step)  # from the node, in node spacings
+    variance = np.geomspace(1 / 64, 16, 49)
+
+    def windows(perlin, variance, d):
+        """u and v: a window and its derivative, over the roots of the sums of their squares at all nodes."""
+        def at(d):
+            if not perlin:
+                width = min(1.5 * sqrt(1 + variance / 0.294), 2.0)
+                return np.stack([np.cos(pi / 2 * np.clip(d / width, -1, 1)) ** 2] * 2)
+            t, c, s = min(5.5 * variance, 2.0), np.cos(pi / 4 * np.clip(d, -2, 2)) ** 2, -pi / 4 * np.sin(pi / 2 * np.clip(d, -2, 2))
+            return np.stack([c * c * (1 + t - t * c), s * c * (2 + 2 * t - 3 * t * c)])
+        return at(d) / np.sqrt(sum(at(d - np.floor(d) + k) ** 2 for k in range(-4, 5)))
+
+    def correlations(perlin):
+        made = []
+        for one in variance:
+            deviation = sqrt(one)
+            along = np.arange(-5, 5.001, min(0.125, 0.05 / deviation))
+            weight = np.exp(-0.5 * along**2) / np.exp(-0.5 * along**2).sum()
+            exact = np.tensordot(windows(perlin, 0.0, d[:, None] + along * deviation), weight, 1)
+            made.append(step * (exact * windows(perlin, one, d)).sum(1))
+        return np.array(made)
+
+    smooth, perlin = correlations(False)[:, 0], correlations(True)
+
+    def fit(name, power, targets, start, about):
+        def model(p):
+            return (1 + variance * (p[0] + p[1] * variance**2 / (variance + p[2]))) ** -power
+        target = (targets.max(0) + targets.min(0)) / 2
+        best = refine(model, start, target, minimax)
+        return Fit("gabor_fractal.glsl", name, about, best, lambda p: abs(model(p) - targets).max(), 0.4, 1.2)
+
+    about = "correlation of windows {}, minimax; the drop-in has twice the least error"
+    return [fit("gabor_impl_kept_even", 0.25, np.array([smooth, perlin[:, 0]]), [2.9, 1.4, 0.6], about.format("u")),
+            fit("gabor_impl_kept_odd", 0.75, perlin[None, :, 1], [2.8, 1.2, 0.2], about.format("v"))]
 
 
 def leather_fit():
@@ -244,8 +294,8 @@ def polynomial_fits():
 
 
 def fits():
-    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), *below_fits(), leather_fit(), profile_fit(),
-            sea_fit()]
+    return [*amplitude_fits(), *polynomial_fits(), filtered_window_fit(), *mean_fits(), *below_fits(), uniform_fit(),
+            *fractal_fits(), leather_fit(), profile_fit(), sea_fit()]
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ struct GaborFractal {
     float octaves;
     float gain;
     float lacunarity; // frequency of an octave relative to the previous one, 1 to 4, rounded to a multiple of 1/4096
-    float turn;       // angle in radians by which an octave is turned against the previous one; unused with a period
+    float turn;       // angle in radians by which an octave is turned against the previous one, unused with a period
     int basis;        // GABOR_SMOOTH or GABOR_PERLIN
     int shape;        // GABOR_FBM, GABOR_BILLOW or GABOR_RIDGED
 };
@@ -67,7 +67,7 @@ GaborFractal GaborFractal_of(float octaves, float gain, float lacunarity, float 
 
 struct GaborFractalNoise {
     float noise;
-    float2 gradient; // per kernel radius of the first octave; filtered, at a fixed footprint
+    float2 gradient; // per kernel radius of the first octave, with a filter at a fixed footprint
     float removed; // share of the variance that a filter removed
     float3 lost;     // covariance xx, yy, xy of the slopes that a filter removed, such as materials add to roughness
 };
@@ -114,8 +114,8 @@ GaborFractalNoise3d GaborFractalNoise3d_of(float noise, float3 gradient, float r
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, GaborFractal fractal,
 //                                                     uint seed)
 //     The sum averaged over a pixel. |n| becomes its mean over what was removed, so billows and ridges keep their
-//     brightness. The noise's rms error is 0.04 of a deviation for one smooth octave whose pixel has a standard
-//     deviation of 0.1 kernel radii, and 0.2 for 1. Octaves that keep less than 1/1000 of their variance are left out.
+//     brightness. The noise's rms error is 0.02 of a deviation for one smooth octave whose pixel has a standard
+//     deviation of 0.1 kernel radii, and 0.23 for 1. Octaves that keep less than 1/1000 of their variance are left out.
 
 // A warp moves a place along two noises, or three in a volume, whose deviation is its strength in kernel radii.
 struct GaborWarp {
@@ -185,7 +185,7 @@ GaborImplLine GaborImplLine_of(uint4 word, float4 even, float4 even_slope, float
     return made;
 }
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.011.
+// The correlations of filtered windows u and v with the exactly filtered ones, within 0.012.
 float gabor_impl_kept_even(float variance) {
     return rsqrt(sqrt(1.0 + variance * (2.9 + 1.388 * variance * variance / (variance + 0.6))));
 }
@@ -344,7 +344,8 @@ float gabor_impl_kept_magnitude(float kept) {
 }
 
 GaborFractal gabor_fractal(float octaves, float gain) {
-    return GaborFractal_of(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM); // atan(3/4)
+    // 0.64350111, atan(3/4), was chosen because five such turns spread evenly over a right angle
+    return GaborFractal_of(octaves, gain, 2.0, 0.64350111, GABOR_SMOOTH, GABOR_FBM);
 }
 
 // ---- In the plane --------------------------------------------------------------------------------------------------
@@ -391,7 +392,9 @@ void gabor_impl_next_octave(inout GaborImplOctave octave, GaborPlace place, floa
         octave.along_y = gabor_impl_product(by, octave.along_y);
     } else {
         float scale = pow(clamp(lacunarity, 1.0, 4.0), float(i));
-        float2 first = (float2)(place.period), within = (float2)(place.cell) + place.local;
+        float2 first = (float2)(place.period);
+        float2 within = float2(float(gabor_impl_wrap(place.cell.x, place.period.x)),
+                           float(gabor_impl_wrap(place.cell.y, place.period.y))) + place.local;
         float2 nodes = float2(gabor_impl_octave_nodes(first.x, scale), gabor_impl_octave_nodes(first.y, scale));
         float2 growth = nodes / max(first, 1.0);
         octave.cell = (int2)(0);
@@ -431,7 +434,7 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
         covariance += (1.0 - mean.y * mean.y) * float3(gradient * gradient, gradient.x * gradient.y);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964 : 1.6588964; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967 : 1.6588967; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -441,9 +444,11 @@ void gabor_impl_add_octave(inout GaborFractalNoise sum, GaborImplOctave octave, 
 
 GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx, float2 dy, GaborFractal fractal,
                                      uint seed) {
-    // Far from the origin, what remains of a period is precise.
-    place.cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise_of(0.0, (float2)(0.0), 0.0, (float3)(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = float2(1.0e3, 0.0);
+        dy = float2(0.0, 1.0e3);
+    }
     GaborImplOctave octave = GaborImplOctave_of(place.cell, place.local, place.period, float2(place.cells_per_radius.x, 0.0),
                                              float2(0.0, place.cells_per_radius.y));
     float2 by = gabor_impl_octave_step(fractal);
@@ -476,7 +481,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
             }
             oblique = min(oblique, rsqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = max((perlin ? 2.6788499 : 1.4621636) - oblique * oblique * slopes, 0.0); // 19/70 pi^2, 4/27 pi^2
+            lost = max((perlin ? 2.6788926 : 1.4621636) - oblique * oblique * slopes, 0.0); // 19/70 pi^2, 4/27 pi^2
         }
         float3 noise = (float3)(0.0);
         if (kept > 0.0) {
@@ -592,7 +597,10 @@ void gabor_impl_next_octave_3d(inout GaborImplOctave3d octave, GaborPlace3d plac
         octave.along_z = gabor_impl_step_3d(by, octave.along_z);
     } else {
         float scale = pow(clamp(lacunarity, 1.0, 4.0), float(i));
-        float3 first = (float3)(place.period), within = (float3)(place.cell) + place.local;
+        float3 first = (float3)(place.period);
+        float3 within = float3(float(gabor_impl_wrap(place.cell.x, place.period.x)),
+                           float(gabor_impl_wrap(place.cell.y, place.period.y)),
+                           float(gabor_impl_wrap(place.cell.z, place.period.z))) + place.local;
         float3 nodes = float3(gabor_impl_octave_nodes(first.x, scale), gabor_impl_octave_nodes(first.y, scale),
                           gabor_impl_octave_nodes(first.z, scale));
         float3 growth = nodes / max(first, 1.0);
@@ -622,7 +630,7 @@ void gabor_impl_add_octave_3d(inout GaborFractalNoise3d sum, GaborImplOctave3d o
         mixed += (1.0 - mean.y * mean.y) * float3(gradient.x * gradient.yz, gradient.y * gradient.z);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964 : 1.6588964; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967 : 1.6588967; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -700,9 +708,11 @@ float4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, uint salt, float3 va
 
 GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, float3 dx, float3 dy, GaborFractal fractal,
                                           uint seed) {
-    place.cell = int3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
-                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), (float3)(0.0));
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = float3(1.0e3, 0.0, 0.0);
+        dy = float3(0.0, 1.0e3, 1.0e3);
+    }
     GaborImplOctave3d octave = GaborImplOctave3d_of(place.cell, place.local, place.period,
                                                  float3(place.cells_per_radius.x, 0.0, 0.0),
                                                  float3(0.0, place.cells_per_radius.y, 0.0),
@@ -737,7 +747,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
             if (perlin) {
                 float3 odd = float3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even;
+                odd = 0.33333333 * kept * odd * odd / even; // 1/3
                 slopes = float3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;
@@ -745,7 +755,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
             }
             oblique = min(oblique, rsqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = max((perlin ? 2.2559094 : 1.4621636) - oblique * oblique * slopes, 0.0); // 8/35 pi^2, 4/27 pi^2
+            lost = max((perlin ? 2.2559096 : 1.4621636) - oblique * oblique * slopes, 0.0); // 8/35 pi^2, 4/27 pi^2
         }
         float4 noise = (float4)(0.0);
         if (kept > 0.0) {

@@ -57,7 +57,7 @@ struct GaborFractal {
     float octaves;
     float gain;
     float lacunarity; // frequency of an octave relative to the previous one, 1 to 4, rounded to a multiple of 1/4096
-    float turn;       // angle in radians by which an octave is turned against the previous one; unused with a period
+    float turn;       // angle in radians by which an octave is turned against the previous one, unused with a period
     int basis;        // GABOR_SMOOTH or GABOR_PERLIN
     int shape;        // GABOR_FBM, GABOR_BILLOW or GABOR_RIDGED
 };
@@ -67,7 +67,7 @@ struct GaborFractal {
 
 struct GaborFractalNoise {
     float noise;
-    gabor_vec2 gradient; // per kernel radius of the first octave; filtered, at a fixed footprint
+    gabor_vec2 gradient; // per kernel radius of the first octave, with a filter at a fixed footprint
     float removed; // share of the variance that a filter removed
     gabor_vec3 lost;     // covariance xx, yy, xy of the slopes that a filter removed, such as materials add to roughness
 };
@@ -103,8 +103,8 @@ struct GaborFractalNoise3d {
 // GaborFractalNoise3d gabor_fractal_noise_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, GaborFractal fractal,
 //                                                     uint seed)
 //     The sum averaged over a pixel. |n| becomes its mean over what was removed, so billows and ridges keep their
-//     brightness. The noise's rms error is 0.04 of a deviation for one smooth octave whose pixel has a standard
-//     deviation of 0.1 kernel radii, and 0.2 for 1. Octaves that keep less than 1/1000 of their variance are left out.
+//     brightness. The noise's rms error is 0.02 of a deviation for one smooth octave whose pixel has a standard
+//     deviation of 0.1 kernel radii, and 0.23 for 1. Octaves that keep less than 1/1000 of their variance are left out.
 
 // A warp moves a place along two noises, or three in a volume, whose deviation is its strength in kernel radii.
 struct GaborWarp {
@@ -159,7 +159,7 @@ struct GaborImplLine {
     gabor_vec4 odd_slope;
 };
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.011.
+// The correlations of filtered windows u and v with the exactly filtered ones, within 0.012.
 GABOR_INLINE float gabor_impl_kept_even(float variance) {
     return gabor_cpp_inversesqrt(gabor_cpp_sqrt(1.0f + variance * (2.9f + 1.388f * variance * variance / (variance + 0.6f))));
 }
@@ -318,7 +318,8 @@ GABOR_INLINE float gabor_impl_kept_magnitude(float kept) {
 }
 
 GABOR_INLINE GaborFractal gabor_fractal(float octaves, float gain) {
-    return GaborFractal{octaves, gain, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_FBM}; // atan(3/4)
+    // 0.64350111, atan(3/4), was chosen because five such turns spread evenly over a right angle
+    return GaborFractal{octaves, gain, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_FBM};
 }
 
 // ---- In the plane --------------------------------------------------------------------------------------------------
@@ -360,7 +361,9 @@ GABOR_INLINE void gabor_impl_next_octave(GaborImplOctave& octave, GaborPlace pla
         octave.along_y = gabor_impl_product(by, octave.along_y);
     } else {
         float scale = gabor_cpp_pow(gabor_cpp_clamp(lacunarity, 1.0f, 4.0f), float(i));
-        gabor_vec2 first = gabor_vec2(place.period), within = gabor_vec2(place.cell) + place.local;
+        gabor_vec2 first = gabor_vec2(place.period);
+        gabor_vec2 within = gabor_vec2(float(gabor_impl_wrap(place.cell.x, place.period.x)),
+                           float(gabor_impl_wrap(place.cell.y, place.period.y))) + place.local;
         gabor_vec2 nodes = gabor_vec2(gabor_impl_octave_nodes(first.x, scale), gabor_impl_octave_nodes(first.y, scale));
         gabor_vec2 growth = nodes / gabor_cpp_max(first, 1.0f);
         octave.cell = gabor_ivec2(0);
@@ -400,7 +403,7 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
         covariance += (1.0f - mean.y * mean.y) * gabor_vec3(gradient * gradient, gradient.x * gradient.y);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964f : 1.6588964f; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967f : 1.6588967f; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -410,9 +413,11 @@ GABOR_INLINE void gabor_impl_add_octave(GaborFractalNoise& sum, GaborImplOctave 
 
 GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, gabor_vec2 dx, gabor_vec2 dy, GaborFractal fractal,
                                      std::uint32_t seed) {
-    // Far from the origin, what remains of a period is precise.
-    place.cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     GaborFractalNoise sum = GaborFractalNoise{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
+        dx = gabor_vec2(1.0e3f, 0.0f);
+        dy = gabor_vec2(0.0f, 1.0e3f);
+    }
     GaborImplOctave octave = GaborImplOctave{place.cell, place.local, place.period, gabor_vec2(place.cells_per_radius.x, 0.0f),
                                              gabor_vec2(0.0f, place.cells_per_radius.y)};
     gabor_vec2 by = gabor_impl_octave_step(fractal);
@@ -445,7 +450,7 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
             }
             oblique = gabor_cpp_min(oblique, gabor_cpp_inversesqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = gabor_cpp_max((perlin ? 2.6788499f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 19/70 pi^2, 4/27 pi^2
+            lost = gabor_cpp_max((perlin ? 2.6788926f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 19/70 pi^2, 4/27 pi^2
         }
         gabor_vec3 noise = gabor_vec3(0.0f);
         if (kept > 0.0f) {
@@ -555,7 +560,10 @@ GABOR_INLINE void gabor_impl_next_octave_3d(GaborImplOctave3d& octave, GaborPlac
         octave.along_z = gabor_impl_step_3d(by, octave.along_z);
     } else {
         float scale = gabor_cpp_pow(gabor_cpp_clamp(lacunarity, 1.0f, 4.0f), float(i));
-        gabor_vec3 first = gabor_vec3(place.period), within = gabor_vec3(place.cell) + place.local;
+        gabor_vec3 first = gabor_vec3(place.period);
+        gabor_vec3 within = gabor_vec3(float(gabor_impl_wrap(place.cell.x, place.period.x)),
+                           float(gabor_impl_wrap(place.cell.y, place.period.y)),
+                           float(gabor_impl_wrap(place.cell.z, place.period.z))) + place.local;
         gabor_vec3 nodes = gabor_vec3(gabor_impl_octave_nodes(first.x, scale), gabor_impl_octave_nodes(first.y, scale),
                           gabor_impl_octave_nodes(first.z, scale));
         gabor_vec3 growth = nodes / gabor_cpp_max(first, 1.0f);
@@ -585,7 +593,7 @@ GABOR_INLINE void gabor_impl_add_octave_3d(GaborFractalNoise3d& sum, GaborImplOc
         mixed += (1.0f - mean.y * mean.y) * gabor_vec3(gradient.x * gradient.yz(), gradient.y * gradient.z);
         gradient *= mean.y;
         kept = gabor_impl_kept_magnitude(kept);
-        amplitude *= shape == GABOR_RIDGED ? -1.6588964f : 1.6588964f; // 1/sqrt(1 - 2/pi)
+        amplitude *= shape == GABOR_RIDGED ? -1.6588967f : 1.6588967f; // 1/sqrt(1 - 2/pi)
     }
     sum.noise += amplitude * value;
     sum.gradient += amplitude * gradient;
@@ -663,9 +671,11 @@ GABOR_INLINE gabor_vec4 gabor_impl_octave_noise_3d(GaborImplOctave3d octave, std
 
 GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, gabor_vec3 dx, gabor_vec3 dy, GaborFractal fractal,
                                           std::uint32_t seed) {
-    place.cell = gabor_ivec3(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y),
-                       gabor_impl_wrap(place.cell.z, place.period.z));
     GaborFractalNoise3d sum = GaborFractalNoise3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), gabor_vec3(0.0f)};
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
+        dx = gabor_vec3(1.0e3f, 0.0f, 0.0f);
+        dy = gabor_vec3(0.0f, 1.0e3f, 1.0e3f);
+    }
     GaborImplOctave3d octave = GaborImplOctave3d{place.cell, place.local, place.period,
                                                  gabor_vec3(place.cells_per_radius.x, 0.0f, 0.0f),
                                                  gabor_vec3(0.0f, place.cells_per_radius.y, 0.0f),
@@ -700,7 +710,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
             if (perlin) {
                 gabor_vec3 odd = gabor_vec3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333f * kept * odd * odd / even;
+                odd = 0.33333333f * kept * odd * odd / even; // 1/3
                 slopes = gabor_vec3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;
@@ -708,7 +718,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
             }
             oblique = gabor_cpp_min(oblique, gabor_cpp_inversesqrt(kept)) * gabor_impl_visible(kept * oblique * oblique);
             kept *= oblique * oblique;
-            lost = gabor_cpp_max((perlin ? 2.2559094f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 8/35 pi^2, 4/27 pi^2
+            lost = gabor_cpp_max((perlin ? 2.2559096f : 1.4621636f) - oblique * oblique * slopes, 0.0f); // 8/35 pi^2, 4/27 pi^2
         }
         gabor_vec4 noise = gabor_vec4(0.0f);
         if (kept > 0.0f) {

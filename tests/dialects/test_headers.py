@@ -10,7 +10,7 @@ import unittest
 
 HEADERS = pathlib.Path(__file__).resolve().parents[2] / "shaders" / "translations"
 FILES = ("gabor_sparse",), ("gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_direction", "gabor_noise_3d", "gabor_filter_3d",
-                            "gabor_erosion", "gabor_materials", "gabor_compose", "gabor_ocean")
+                            "gabor_erosion", "gabor_fractal", "gabor_materials", "gabor_compose", "gabor_ocean")
 CODE = re.compile(r"^//     +(\w[^;:\n]*;)(?= *$| +//)", re.MULTILINE)  # a line of code in a manual
 MICROSOFT, MINGW = "--target=x86_64-pc-windows-msvc", "x86_64-w64-mingw32-g++"
 OLD, NEW = "-std=c++11", "-std=c++20"

@@ -56,6 +56,8 @@ struct Lattice3 {
 
 #include "gabor_filter_3d.hpp"
 
+#include "gabor_fractal.hpp"
+
     /// A direction map with a jump across the line x + y = 1.
     static gabor_vec2 map_at(gabor_vec2 p) {
         return p.x + p.y > 1 ? gabor_vec2(1.5f, 0.25f * p.y) : gabor_vec2(-0.5f * p.x, 2);

@@ -24,6 +24,8 @@
 #endif
 #if defined GOLDEN_EROSION
 #include "gabor_erosion.hpp"
+#elif defined GOLDEN_FRACTAL
+#include "gabor_fractal.hpp"
 #elif defined GOLDEN_OCEAN
 #include "gabor_ocean.hpp"
 #elif defined GOLDEN_DIRECTION

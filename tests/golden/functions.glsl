@@ -225,6 +225,21 @@ float kept(GaborTerrain t) {
 }
 #endif
 
+#if defined GOLDEN_FRACTAL
+float kept(GaborFractalNoise f) {
+    return f.noise + 0.01f * kept(f.gradient) + f.removed + 0.0001f * kept(f.lost);
+}
+float kept(GaborFractalNoise3d f) {
+    return f.noise + 0.01f * kept(f.gradient) + f.removed + 0.0001f * (kept(f.lost) + kept(f.lost_mixed));
+}
+float kept(GaborWarp w) {
+    return kept(w.place.local) + 0.01f * (kept(w.dx) - kept(w.dy)) + 0.0001f * kept(w.lost);
+}
+float kept(GaborWarp3d w) {
+    return kept(w.place.local) + 0.01f * (kept(w.dx) - kept(w.dy) + 0.7f * kept(w.dz)) + 0.0001f * (kept(w.lost) + kept(w.lost_mixed));
+}
+#endif
+
 #if defined GOLDEN_MATERIALS
 float kept(GaborMaterial m) {
     return kept(m.colour) + 10.0f * m.height + 0.3f * gabor_roughness(m) + 0.2f * m.metalness + 0.1f * kept(m.slope) + kept(m.lost);
@@ -338,14 +353,16 @@ void see_all(int i) {
     SEE(kept(gabor_stripes_of(gabor_field_direction(gabor_place_at(p), s.seed), 2.0f)))
     SEE(kept(gabor_stripes_of(gabor_field_direction(place, s.seed), 2.0f)))
 #endif
-#if defined GOLDEN_NOISE_3D
+#if defined GOLDEN_NOISE_3D || defined GOLDEN_FRACTAL
     GaborPlace3d here = gabor_place_3d_at(s.q), solid = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
     solid.cells_per_radius *= vec3(0.9f, 1.1f, 1.0f);
     solid.period = ivec3(7, 0, 12);
     solid.evolution = place.evolution;
     GaborPlace3d block = gabor_place_3d_tiled(s.q, s.period_3d);
-    vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
     vec3 dx = s.dx_3d, dy = s.dy_3d;
+#endif
+#if defined GOLDEN_NOISE_3D
+    vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
     SEE(gabor_noise_3d(s.q, s.frequency, s.direction, s.seed))
     SEE(gabor_noise_3d_isotropic(s.q, s.frequency, s.seed))
     SEE(gabor_noise_surface(s.q, s.normal, s.frequency, s.direction, s.seed))
@@ -363,6 +380,47 @@ void see_all(int i) {
     SEE(kept(gabor_field_3d_isotropic_filtered(solid, dx, dy, 0.3f * s.frequency, s.seed)))
     SEE(kept(gabor_field_surface_filtered(solid, dx, dy, s.normal, s.frequency, s.direction, s.seed)))
     SEE(kept(gabor_field_surface_isotropic_filtered(solid, dx, dy, s.normal, s.frequency, s.seed)))
+#endif
+#if defined GOLDEN_FRACTAL
+    // Octaves round positions, so they start near the origin. The periods of all octaves are whole numbers before they
+    // are rounded, and no step is near a number that rounds to another multiple of 1/4096.
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p;
+    vec3 q = i / 4 % 4 == 3 ? 1.0e-4f * s.q : s.q;
+    GaborFractal repeats = gabor_fractal(drawn_to_ends(i, 60, 1.0f, 3.0f), drawn_to_ends(i, 61, 0.0f, 1.0f));
+    repeats.lacunarity = float(1 + i % 4);
+    repeats.basis = i / 4 % 2 == 0 ? GABOR_SMOOTH : GABOR_PERLIN;
+    GaborFractal turns = repeats, cubes = gabor_fractal(drawn(i, 62, 1.0f, 3.0f), drawn(i, 63, 0.3f, 0.9f));
+    turns.lacunarity = (floor(drawn(i, 64, 64.0f, 256.0f)) + 0.3f) / 64.0f;
+    turns.turn = i % 4 == 0 ? 0.0f : i % 4 == 1 ? 1.5707963f : i % 4 == 2 ? 0.6435011f : -0.9272952f;
+    cubes.basis = repeats.basis;
+    // At a crease, gradients of billows and ridges depend on the last digit.
+    GaborFractal rough = turns, rough_repeats = repeats, rough_cubes = cubes;
+    rough.shape = rough_repeats.shape = rough_cubes.shape = i % 2 == 0 ? GABOR_BILLOW : GABOR_RIDGED;
+    float octaves = turns.octaves, gain = turns.gain, strength = drawn(i, 65, 0.0f, 1.0f);
+    GaborPlace near = gabor_place_at(p), far = gabor_place(s.cell, s.local);
+    GaborPlace3d far_3d = gabor_place_3d(ivec3(s.cell.x, s.cell.y, i), vec3(s.local.x, s.local.y, s.local.x));
+    solid.local.y = s.local.x; // an evolution may be too large for a position
+    SEE(gabor_uniform(s.time))
+    SEE(gabor_uniform_slope(s.time))
+    SEE(gabor_smooth(p, s.seed))
+    SEE(gabor_perlin(p, s.seed))
+    SEE(gabor_perlin_3d(q, s.seed))
+    SEE(gabor_fbm(p, octaves, gain, s.seed))
+    SEE(gabor_fbm_3d(q, octaves, gain, s.seed))
+    SEE(gabor_billow(p, octaves, gain, s.seed))
+    SEE(gabor_ridged(p, octaves, gain, s.seed))
+    SEE(kept(gabor_fractal_noise(near, turns, s.seed)))
+    SEE(kept(gabor_fractal_noise(far, turns, s.seed)))
+    SEE(kept(gabor_fractal_noise(place, repeats, s.seed)))
+    SEE(gabor_fractal_noise(tile, rough_repeats, s.seed).noise)
+    SEE(gabor_fractal_noise_filtered(near, s.dx, s.dy, rough, s.seed).noise)
+    SEE(kept(gabor_fractal_noise_filtered(place, s.dx, s.dy, repeats, s.seed)))
+    SEE(gabor_fractal_noise_3d(far_3d, rough_cubes, s.seed).noise)
+    SEE(kept(gabor_fractal_noise_3d_filtered(solid, dx, dy, repeats, s.seed)))
+    SEE(kept(gabor_warp(far, strength, turns, s.seed)))
+    SEE(kept(gabor_warp_filtered(place, s.dx, s.dy, strength, repeats, s.seed)))
+    SEE(kept(gabor_warp_3d(solid, strength, repeats, s.seed)))
+    SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, repeats, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();

@@ -34,6 +34,8 @@
 #define GOLDEN_DIRECTION
 #elif defined GABOR_OF_erosion
 #define GOLDEN_EROSION
+#elif defined GABOR_OF_fractal
+#define GOLDEN_FRACTAL
 #elif defined GABOR_OF_ocean
 #define GOLDEN_OCEAN
 #elif defined GABOR_OF_materials

@@ -15,11 +15,11 @@ constexpr double knee = 0.93687595;
 constexpr double flattening = 0.89289313;
 constexpr double cubic = 0.62342056;
 
+} // namespace
+
 std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
 }
-
-} // namespace
 
 std::int32_t wrapped(std::int64_t index, std::int32_t period) {
     const std::int64_t whole = std::int64_t{1} << 32;
@@ -52,22 +52,25 @@ double lattice_energy(int taps) {
 }
 
 std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed) {
+    return salted_line_word(index, axis, mix(seed * spread, 0x2545f491u));
+}
+
+std::uint32_t salted_line_word(std::int32_t index, int axis, std::uint32_t salt) {
     constexpr std::array<std::uint32_t, 3> axes{0, 0x5bd1e995u, 0x27d4eb2fu};
-    const std::uint32_t salt = mix(seed * spread, 0x2545f491u) ^ axes.at(static_cast<std::size_t>(axis));
-    std::uint32_t word = static_cast<std::uint32_t>(index) * spread + salt;
+    std::uint32_t word =
+        static_cast<std::uint32_t>(index) * spread + (salt ^ axes.at(static_cast<std::size_t>(axis)));
     word *= word ^ word >> 15;
     return word >> 8 | 0x800001u;
 }
 
-namespace {
-
-// Combines the words of the lines through a node into the node's word.
 std::uint32_t node_word(const std::array<std::uint32_t, 2>& lines) {
     return lines[0] * lines[1];
 }
 std::uint32_t node_word(const std::array<std::uint32_t, 3>& lines) {
     return lines[0] * (lines[1] * lines[2] >> 8 | 0x800001u);
 }
+
+namespace {
 
 // The words of a node of isotropic noise: three for the amplitudes of its waves, and one for their angles.
 std::array<std::uint32_t, 4> isotropic_words(std::uint32_t column, std::uint32_t row) {

@@ -60,6 +60,16 @@ double lattice_energy(int taps);
 /// The hash word of all nodes that share this index along an axis (0 x, 1 y, 2 z). It is odd and has 24 bits.
 std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed);
 
+/// The same for a lattice with another salt than a seed's.
+std::uint32_t salted_line_word(std::int32_t index, int axis, std::uint32_t salt);
+
+/// Combines the words of the lines through a node into the node's word.
+std::uint32_t node_word(const std::array<std::uint32_t, 2>& lines);
+std::uint32_t node_word(const std::array<std::uint32_t, 3>& lines);
+
+/// Another word, independent of this one.
+std::uint32_t next_word(std::uint32_t word);
+
 /// The word of a node: its column's word times its row's.
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed);
 

@@ -10,6 +10,7 @@
 
 #include "passes/golden_direction.h"
 #include "passes/golden_erosion.h"
+#include "passes/golden_fractal.h"
 #include "passes/golden_lattice_2.h"
 #include "passes/golden_lattice_3.h"
 #include "passes/golden_lattice_4.h"
@@ -49,7 +50,8 @@ const Set others[]{{"sparse_pure", golden_sparse_pure_spirv}, {"sparse_paper", g
                    {"sparse_own", golden_sparse_own_spirv},   {"lattice_2", golden_lattice_2_spirv},
                    {"lattice_4", golden_lattice_4_spirv},     {"spectrum", golden_spectrum_spirv},
                    {"direction", golden_direction_spirv},     {"noise_3d", golden_noise_3d_spirv},
-                   {"erosion", golden_erosion_spirv},         {"ocean", golden_ocean_spirv}};
+                   {"erosion", golden_erosion_spirv},         {"ocean", golden_ocean_spirv},
+                   {"fractal", golden_fractal_spirv}};
 
 // The first 64 points have golden values, the next 4096 have arbitrary arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;

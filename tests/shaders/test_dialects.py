@@ -26,6 +26,7 @@ FILES = {
     "gabor_noise_3d": ["gabor_noise", "gabor_filter", "gabor_noise_3d", "gabor_filter_3d"],
     "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials", "gabor_compose"],
     "gabor_erosion": ["gabor_noise", "gabor_erosion"],
+    "gabor_fractal": ["gabor_noise", "gabor_fractal"],
     "gabor_ocean": ["gabor_noise", "gabor_ocean"],
     "gabor_direction": ["gabor_noise", "gabor_direction"],
 }
@@ -59,6 +60,7 @@ BAD_MACROS = {
     "gabor_noise_3d": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
+    "gabor_fractal": [("GABOR_TAPS", "4", "gabor_fractal . glsl needs GABOR_TAPS 3")],
     "gabor_ocean": [("GABOR_OCEAN_BANDS", "13", "GABOR_OCEAN_BANDS must be 1 to 12")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4")],
 }
@@ -191,7 +193,7 @@ class Dialects(unittest.TestCase):
     def test_bundles_compile(self):
         subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
-        self.assertEqual(len(bundles), 22)
+        self.assertEqual(len(bundles), 24)
         made = []
         for bundle, version in itertools.product(bundles, ("450", "300 es")):
             text = bundle.read_text()

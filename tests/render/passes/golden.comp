@@ -13,6 +13,8 @@
 #endif
 #if defined GOLDEN_EROSION
 #include "gabor_erosion.glsl"
+#elif defined GOLDEN_FRACTAL
+#include "gabor_fractal.glsl"
 #elif defined GOLDEN_OCEAN
 #include "gabor_ocean.glsl"
 #elif defined GOLDEN_DIRECTION
