@@ -216,9 +216,9 @@ def fractal_fits():
             return (1 + variance * (p[0] + p[1] * variance**2 / (variance + p[2]))) ** -power
         target = (targets.max(0) + targets.min(0)) / 2
         best = refine(model, start, target, minimax)
-        return Fit("gabor_fractal.glsl", name, about, best, lambda p: abs(model(p) - targets).max(), 0.4, 1.2)
+        return Fit("gabor_fractal.glsl", name, about, best, lambda p: abs(model(p) - targets).max(), 2e-3, 0.05)
 
-    about = "correlation of windows {}, minimax; the drop-in has twice the least error"
+    about = "correlation of windows {}, minimax"
     return [fit("gabor_impl_kept_even", 0.25, np.array([smooth, perlin[:, 0]]), [2.9, 1.4, 0.6], about.format("u")),
             fit("gabor_impl_kept_odd", 0.75, perlin[None, :, 1], [2.8, 1.2, 0.2], about.format("v"))]
 

@@ -44,10 +44,10 @@ Window window(bool perlin, double variance) {
 }
 
 double kept_even(double s) {
-    return std::pow(1 + 2.9 * s + 1.388 * s * s * s / (s + 0.6), -0.25);
+    return std::pow(1 + 2.888 * s + 1.52 * s * s * s / (s + 0.5855), -0.25);
 }
 double kept_odd(double s) {
-    return std::pow(1 + 2.79 * s + 1.163 * s * s * s / (s + 0.2), -0.75);
+    return std::pow(1 + 2.704 * s + 1.173 * s * s * s / (s + 0.149), -0.75);
 }
 
 // The mean over places of the sum of the squares of a derivative of h at all nodes is its integral.

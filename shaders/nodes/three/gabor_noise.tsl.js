@@ -177,9 +177,9 @@ const normalized = (windows, kept) => {
 };
 
 const kept_even = variance =>
-    inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.388).div(variance.add(0.6)).add(2.9)).add(1))).toVar();
+    inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.52).div(variance.add(0.5855)).add(2.888)).add(1))).toVar();
 const kept_odd = variance => {
-    const kept = inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.163).div(variance.add(0.2)).add(2.79)).add(1))).toVar();
+    const kept = inverseSqrt(sqrt(variance.mul(variance.mul(variance).mul(1.173).div(variance.add(0.149)).add(2.704)).add(1))).toVar();
     return kept.mul(kept).mul(kept).toVar();
 };
 
