@@ -17,6 +17,7 @@ using Type = render::Parameter::Type;
 std::string default_text(const render::Parameter& parameter, const render::Request& request) {
     std::vector<render::Request> others{request, {}};
     render::set(others.back(), "material", std::string(render::materials.front()));
+    render::set(others.emplace_back(), "fractal", std::string(render::fractal_shapes.at(1)));
     for (const std::string_view view : render::parameter("view").choices)
         render::set(others.emplace_back(), "view", std::string(view));
     others.resize(parameter.get(request) ? 1 : others.size());

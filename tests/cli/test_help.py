@@ -49,7 +49,7 @@ class Help(ProgramTest):
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
         for command, names in options.items():
             text = self.succeed(command, "--help")
-            listed = re.findall(r"(?m)^  ((?:-|[A-Z]{2})[-\w,]*)(?: |$)", text)
+            listed = re.findall(r"(?m)^  ((?:-|[A-Z]{2})[-\w.,]*)(?: |$)", text)
             self.assertCountEqual(listed, ["-h,--help", *names], command)  # each once
 
     def test_help_reads_well(self):

@@ -93,7 +93,7 @@ class Maps(RenderTest):
             np.testing.assert_allclose(maps[f"normal.{axis}"] / maps["normal.z"], slope, rtol=1e-4, atol=1e-5)
         self.assertLess(maps["occlusion"].min(), 0.8)
         for extent in 8, 8000:
-            self.succeed("render", *(each for each in land if "extent" not in each), f"--extent={extent}", "--maps", "same", "--no-tileable")
+            self.succeed("maps", *(each for each in land if "extent" not in each), f"--extent={extent}", "-o", "same", "--no-tileable")
             same = Exr(self.folder / "same/maps.exr").channels
             np.testing.assert_allclose(same["height"], maps["height"] * extent / 800, rtol=1e-5, atol=1e-6 * extent)
             for name in maps.keys() - {"height"}:

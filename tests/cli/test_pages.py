@@ -33,13 +33,14 @@ class Readme(ProgramTest):
 
     def test_commands_of_pages_have_options_that_exist(self):
         known = {}
-        for command in ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
+        for command in ("render", "maps", "texture", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
             known[command] = set(re.findall(r"--[a-z][\w-]*(?:\.[\w.-]*\w)?", self.succeed(command, "--help")))
         known["render"] |= known["erode"]  # the parameters of erosion
         known["render"] |= {f"--no-{option[2:]}" for option in known["render"]}
         for line in [*self.succeed("materials").splitlines(), "boards"]:
             if line:
-                known["render"] |= set(re.findall(r"--[a-z][\w-]*\.[\w.-]*\w", self.succeed("materials", line.split()[0])))
+                for command in ("render", "maps", "texture"):
+                    known[command] |= set(re.findall(r"--[a-z][\w-]*\.[\w.-]*\w", self.succeed("materials", line.split()[0])))
         every, seen = set().union(*known.values()), 0
         for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
             text = page.read_text()

@@ -19,7 +19,7 @@ SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
             "tileable": False, "evolution": 0, "gradient": False, "frequency_spread": 0,
             "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False,
-            "material": "none"}
+            "material": "none", "fractal": "none"}
 LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"frequency": 5, "orientation": -70, "radius": 0.6},
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
 # Parameters that only some requests have.
@@ -134,11 +134,12 @@ class Like(RenderTest):
         every = [["--gradient", "--tileable", "--evolution=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8"]]
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8"],
+                 ["--fractal=ridged", "--fractal.octaves=3.5", "--fractal.basis=perlin", "--fractal.warp=0.2", "--evolution=0.3"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]
-            if {"--lobes=lobes.json", "--paint=paint.exr", "--material=zebra"} & {*flags}:
+            if {"--lobes=lobes.json", "--paint=paint.exr", "--material=zebra", "--fractal=ridged"} & {*flags}:
                 options = ["--size=61x47", "--scale=24"]
             made = self.render(*options, *flags, output="made.exr")
             again = self.render(like="made.exr")

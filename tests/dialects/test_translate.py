@@ -466,7 +466,7 @@ class Program(unittest.TestCase):
             lobes = made("gabor_spectrum", "-DGABOR_LOBES=6")
             self.assertIn("// Constants that you may edit: GABOR_LOBES.\n", lobes)
             self.assertIn("const GABOR_LOBES: i32 = 6;\nconst_assert GABOR_LOBES >= 1; // GABOR_LOBES must be", lobes)
-            self.assertEqual(made("gabor_filter", "-DGABOR_TAPS=2"), (1, "translate: shaders/gabor_filter.glsl:28: gabor_filter.glsl needs GABOR_TAPS 3\n"))
+            self.assertEqual(made("gabor_filter", "-DGABOR_TAPS=2"), (1, "translate: shaders/gabor_filter.glsl:29: gabor_filter.glsl needs GABOR_TAPS 3\n"))
             self.assertEqual(made("gabor_noise", "-DGABOR_TAP=2"), (1, "translate: -DGABOR_TAP=2: no file has this macro\n"))
             self.assertEqual(self.run_program("hlsl", "-DGABOR_TAPS=2", "-o", folder)[0], 2)
 

@@ -24,6 +24,7 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "lib/cmake/gabor-noise/gabor-noise-targets.cmake",
     "share/gabor-noise/LICENSE",
+    "share/gabor-noise/shaders/gabor_float.glsl",
     "share/gabor-noise/shaders/translations/gabor_fractal_points.hpp",
     "share/gabor-noise/shaders/translations/gabor_noise_grid.hpp",
     "share/gabor-noise/shaders/translations/gabor_vectors.hpp",

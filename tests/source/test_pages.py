@@ -179,7 +179,7 @@ COSTS = [
         (P, "The H100 has only timed slower code of these noises: .*? 30 times as that seminal noise"), (P, "takes 10 ps per value on"), (P, "materials take 25 to 350 ps"), (P, "costs 5 % more than `tests/bench"),
         (P, "3.1 times as long as `gabor_noise` for small"), (P, "costs three octaves"), (P, "0.9 us for a point"), (P, "2.1 us without"),
         (P, "Crest needs 28 us"), (P, "up to eight times as long"), ("docs/by-example.md", "75 ns .*? 8368 cycles"),
-        ("docs/engines.md", "14 kB, 7 us a height"), ("docs/farm.md", "1.4 to 1.75 times the CPU time"), ("docs/gallery.md", "costs ten noises, one"),
+        ("docs/engines.md", "14 kB, 7 us a height"), ("docs/engines.md", "1382 cycles a pixel"), ("shaders/nodes/shims/README.md", "1.3 to 1.7 times as long"), ("docs/farm.md", "1.4 to 1.75 times the CPU time"), ("docs/gallery.md", "costs ten noises, one"),
         ("docs/python.md", "draws 570 .*? 1.2 us"), ("docs/study.md", "17 times faster at the same quality"), ("docs/study.md", "20.7 times faster"),
         ("shaders/nodes/cpp/README.md", "on one core, GCC 12 reaches 33 .*? at 4[.]"), (GLSL + "compose.glsl", "cost three quarters of gabor_noise"),
         (GLSL + "direction.glsl", "1.5 to 1.7 times as much as gabor_noise, including"), (GLSL + "filter_3d.glsl", "less than twice as much as without"))),

@@ -164,7 +164,7 @@ class Performance(unittest.TestCase):
 gabor 9.8.7 on llvmpipe, Mesa 22, 2 cores of X, 2026-03-04. Other work was running (a load of 0.7): only ratios within a table are meaningful.
 Medians of one interleaved run of `gabor-lab bench`: CPU time per core for 1024^2 values, and the GPU's clock for 4096^2
 (driver 2, 2026-01-02), 32 values per kernel radius, frequency 4, sixteen values per invocation. Cycles are
-RADV's estimates (radv).
+RADV's estimates (radv); cvm is from 2^24 values, with a standard error of 0.002 for normal ones and 6 % for 0.5.
 
 |  | lavapipe: ms at 1920 x 1080 | times Perlin noise | GPU: ps per value | Navi 21: cycles | cvm |
 | --- | --- | --- | --- | --- | --- |
