@@ -93,6 +93,10 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
                 starts.back().boards = boards;
             }
         }
+        starts.push_back(of_view(view));
+        starts.back().fractal.shape = 1;
+        if (starts.back().kind == render::Kind::noise)
+            starts.back().kind = render::Kind::fractal;
         for (const Request& start : starts) {
             for (const Parameter& parameter : render::parameters()) {
                 INFO(view << ", " << start.lobes.size() << " lobes, " << start.material << ", "

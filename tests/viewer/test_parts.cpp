@@ -164,6 +164,8 @@ TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
     }
     requests.push_back(requests.back());
     render::set(requests.back(), "boards", true);
+    requests.emplace_back();
+    render::set(requests.back(), "fractal", std::string("fbm"));
     for (const render::Request& request : requests)
         for (const render::Parameter& parameter : render::parameters()) {
             const auto value =
