@@ -111,7 +111,7 @@ def sources():
     """Returns what an expression may name: columns of the first table of performance.md, the table of the filter, and `said`, the
     number of a pattern in a page."""
     rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in PERFORMANCE.splitlines() if line.startswith("| ")]
-    rows = {row[0]: row[1:] for row in rows}
+    rows = {row[0]: row[1:] for row in reversed(rows)}  # the first table wins
     short = {"": "gabor_noise, lattice", "perlin": "Perlin noise", "advice": "the paper's advice, 18 kernels",
              "seminal": "the seminal noise, 183 kernels", "seminal 30": "the seminal noise, 270 kernels", "splats": "erosion with 16 random splats, 5 octaves",
              "eroded": "gabor_eroded, 5 octaves, 3 taps", "isotropic": "gabor_noise_isotropic", "3d": "gabor_noise_3d",

@@ -40,6 +40,10 @@ PLANES = {
     "lit ridges": ({"frequency": 2, "orientation": 30, "filter": True, "viewer": {"profile": "ridges"}}, LIT_STRIPES, 4, 2),
     "colours": ({**COLOURED, "tileable": True}, VALUE, 0, 2),
     "colours on a horizon": ({**COLOURED, "filter": True, "view": "horizon"}, VALUE, 0, 2),
+    "fractal": ({"fractal": "fbm", "fractal.octaves": 4.5, "fractal.turn": 20, "evolution": 0.3}, VALUE, 1, 2),
+    "filtered, warped ridges": ({"fractal": "ridged", "fractal.basis": "perlin", "fractal.warp": 0.2, "filter": True}, VALUE, 2, 1),
+    "lit fractal tile": ({"fractal": "fbm", "fractal.gain": 0.4, "tileable": True}, LIT, 3, 2),
+    "fractal on a horizon": ({"fractal": "billow", "filter": True, "view": "horizon"}, VALUE, 1, 2),
     "variance on a horizon": ({"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"}, VARIANCE, 1, 2),
 }
 
