@@ -568,9 +568,9 @@ TEST_CASE("filtered windows have the correlations with exactly filtered ones tha
     for (double variance = 1.0 / 64; variance < 20; variance *= 1.25) {
         const std::string where = fmt::format("variance {}", variance);
         const auto [even, odd] = noise::fractal_kept(variance);
-        of["smooth u"].see(even, window_correlation(false, 0, variance), 0.012, where);
-        of["Perlin's u"].see(even, window_correlation(true, 0, variance), 0.012, where);
-        of["Perlin's v"].see(odd, window_correlation(true, 1, variance), 0.012, where);
+        of["smooth u"].see(even, window_correlation(false, 0, variance), 0.0065, where);
+        of["Perlin's u"].see(even, window_correlation(true, 0, variance), 0.0065, where);
+        of["Perlin's v"].see(odd, window_correlation(true, 1, variance), 0.0065, where);
     }
     test::check(of, 3);
 }
