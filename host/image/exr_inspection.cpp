@@ -5,6 +5,9 @@
 #include <openexr.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
+#include <string_view>
 
 namespace gabor::image {
 
@@ -17,6 +20,19 @@ void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how)
 }
 
 namespace {
+
+// Tells whether the first header names a compression that this OpenEXR does not know.
+bool has_newer_compression(const std::filesystem::path& path) {
+    std::string start(1 << 16, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    using namespace std::string_view_literals;
+    constexpr std::string_view attribute = "compression\0compression\0\1\0\0\0"sv; // name, type, size
+    const std::size_t at = start.find(attribute);
+    return at != start.npos && at + attribute.size() < start.size() &&
+           static_cast<unsigned char>(start[at + attribute.size()]) >= EXR_COMPRESSION_LAST_TYPE;
+}
 
 constexpr std::int64_t widest = 65536;
 constexpr std::uint64_t largest_block = 256u << 20;
@@ -41,6 +57,8 @@ class ExrContext {
     void require(exr_result_t result) const {
         if (result == EXR_ERR_FILE_BAD_HEADER)
             refuse_picture(path_, "it is not an OpenEXR file");
+        if (result != EXR_ERR_SUCCESS && has_newer_compression(path_))
+            refuse_picture(path_, "it is compressed by a newer OpenEXR; expected any compression up to DWAB");
         if (result != EXR_ERR_SUCCESS)
             refuse_damaged_exr(path_, exr_get_default_error_message(result));
     }

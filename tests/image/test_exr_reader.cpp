@@ -296,6 +296,24 @@ TEST_CASE("A file whose writer was stopped is refused", "[exr]") {
     CHECK_THAT(refusal(folder / "no offsets"), Contains("truncated or damaged"));
 }
 
+TEST_CASE("A file compressed by a newer OpenEXR is refused by this name", "[exr]") {
+    const ScratchFolder folder;
+    Foreign foreign(Imf::ZIP_COMPRESSION);
+    foreign.add<float>("Y");
+    foreign.write_scanlines(folder / "zip");
+    REQUIRE(refusal(folder / "zip") == "accepted");
+    std::string bytes = read_file(folder / "zip");
+    const std::string mark("compression\0compression\0\1\0\0\0", 28);
+    const std::size_t at = bytes.find(mark);
+    REQUIRE(at != bytes.npos);
+    bytes[at + mark.size()] = 100;
+    write_file(folder / "newer", bytes);
+    CHECK_THAT(refusal(folder / "newer"), Catch::Matchers::Contains("compressed by a newer OpenEXR"));
+    bytes[at + mark.size()] = 3; // ZIP, as it was
+    write_file(folder / "again", bytes);
+    CHECK(refusal(folder / "again") == "accepted");
+}
+
 TEST_CASE("A window that the file cannot hold is refused before memory is allocated", "[exr]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
