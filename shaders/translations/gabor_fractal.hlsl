@@ -39,7 +39,8 @@
 #define GABOR_FRACTAL_HLSL 1
 
 // The noise of an octave. Smooth noise has most power at low frequencies: within 0.5 cycles per kernel radius. Perlin
-// noise has little there: the centroid of its spectrum is 0.52 cycles per kernel radius.
+// noise has little there: the centroid of its spectrum is 0.52 cycles per kernel radius. Along the axes of their
+// lattice, they have 0.97 and 0.92 of the power along the diagonals.
 #define GABOR_SMOOTH 0
 #define GABOR_PERLIN 1
 

@@ -30,7 +30,8 @@
 const_assert GABOR_TAPS == 3; // gabor_fractal.wgsl needs GABOR_TAPS 3
 
 // The noise of an octave. Smooth noise has most power at low frequencies: within 0.5 cycles per kernel radius. Perlin
-// noise has little there: the centroid of its spectrum is 0.52 cycles per kernel radius.
+// noise has little there: the centroid of its spectrum is 0.52 cycles per kernel radius. Along the axes of their
+// lattice, they have 0.97 and 0.92 of the power along the diagonals.
 const GABOR_SMOOTH: i32 = 0;
 const GABOR_PERLIN: i32 = 1;
 
