@@ -151,13 +151,13 @@ struct GaborImplLine {
     vec4 odd_slope;
 };
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.006.
+// The squared correlations of filtered windows u and v with the exactly filtered ones: their roots are within 0.006.
 float gabor_impl_kept_even(float variance) {
-    return inversesqrt(sqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855))));
+    return inversesqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855)));
 }
 
 float gabor_impl_kept_odd(float variance) {
-    float y = inversesqrt(sqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149))));
+    float y = inversesqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149)));
     return y * y * y;
 }
 
@@ -187,7 +187,7 @@ GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period,
     vec2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
     vec4 cosine = vec4(t0.x, t1.x, t2.x, t3.x), sine = vec4(t0.y, t1.y, t2.y, t3.y);
     vec4 value = cosine * cosine, slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, gabor_impl_kept_even(variance));
+    gabor_impl_normalize_windows(value, slope, sqrt(gabor_impl_kept_even(variance)));
     return GaborImplLine(gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, vec4(0.0),
                          vec4(0.0));
 }
@@ -206,8 +206,8 @@ GaborImplLine gabor_impl_perlin_line(int cell, float local, int period, uint sal
     vec4 share = 2.0 + 2.0 * t - 3.0 * t * hann;
     vec4 even = hann * hann * (1.0 + t - t * hann), even_slope = hann_slope * hann * share, odd = even_slope;
     vec4 odd_slope = -1.2337006 * cosine * hann * share + hann_slope * hann_slope * (share - 3.0 * t * hann); // pi^2/8
-    gabor_impl_normalize_windows(even, even_slope, gabor_impl_kept_even(variance));
-    gabor_impl_normalize_windows(odd, odd_slope, gabor_impl_kept_odd(variance));
+    gabor_impl_normalize_windows(even, even_slope, sqrt(gabor_impl_kept_even(variance)));
+    gabor_impl_normalize_windows(odd, odd_slope, sqrt(gabor_impl_kept_odd(variance)));
     return GaborImplLine(gabor_impl_four_line_words(cell + int(zero), period, salt), even, even_slope, odd, odd_slope);
 }
 
@@ -431,13 +431,12 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, vec2 dx, v
             variance = a * a + b * b;
             oblique = gabor_impl_oblique(a.x * a.y + b.x * b.y, variance.x, variance.y);
             vec2 even = vec2(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y));
-            even *= even;
             kept = even.x * even.y;
             vec2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             vec2 slopes = kept * vec2(x.x, y.x); // of u(x) u(y), or the terms of v(x) u(y) and u(x) v(y)
             if (perlin) {
                 vec2 odd = vec2(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y));
-                odd = 0.5 * kept * odd * odd / even;
+                odd = 0.5 * kept * odd / even;
                 slopes = vec2(odd.x * x.y + odd.y * x.x, odd.x * y.x + odd.y * y.y);
                 kept = odd.x + odd.y;
                 oblique *= oblique * oblique;
@@ -696,7 +695,6 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
                     * gabor_impl_oblique(a.y * a.z + b.y * b.z, variance.y, variance.z);
             vec3 even = vec3(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y),
                              gabor_impl_kept_even(variance.z));
-            even *= even;
             kept = even.x * even.y * even.z;
             vec2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             vec2 z = gabor_impl_slope_powers(variance.z, perlin);
@@ -704,7 +702,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, vec
             if (perlin) {
                 vec3 odd = vec3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even; // 1/3
+                odd = 0.33333333 * kept * odd / even; // 1/3
                 slopes = vec3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;

@@ -186,13 +186,13 @@ GaborImplLine GaborImplLine_of(uint4 word, float4 even, float4 even_slope, float
     return made;
 }
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.006.
+// The squared correlations of filtered windows u and v with the exactly filtered ones: their roots are within 0.006.
 float gabor_impl_kept_even(float variance) {
-    return rsqrt(sqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855))));
+    return rsqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855)));
 }
 
 float gabor_impl_kept_odd(float variance) {
-    float y = rsqrt(sqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149))));
+    float y = rsqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149)));
     return y * y * y;
 }
 
@@ -222,7 +222,7 @@ GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period,
     float2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
     float4 cosine = float4(t0.x, t1.x, t2.x, t3.x), sine = float4(t0.y, t1.y, t2.y, t3.y);
     float4 value = cosine * cosine, slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, gabor_impl_kept_even(variance));
+    gabor_impl_normalize_windows(value, slope, sqrt(gabor_impl_kept_even(variance)));
     return GaborImplLine_of(gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, (float4)(0.0),
                          (float4)(0.0));
 }
@@ -241,8 +241,8 @@ GaborImplLine gabor_impl_perlin_line(int cell, float local, int period, uint sal
     float4 share = 2.0 + 2.0 * t - 3.0 * t * hann;
     float4 even = hann * hann * (1.0 + t - t * hann), even_slope = hann_slope * hann * share, odd = even_slope;
     float4 odd_slope = -1.2337006 * cosine * hann * share + hann_slope * hann_slope * (share - 3.0 * t * hann); // pi^2/8
-    gabor_impl_normalize_windows(even, even_slope, gabor_impl_kept_even(variance));
-    gabor_impl_normalize_windows(odd, odd_slope, gabor_impl_kept_odd(variance));
+    gabor_impl_normalize_windows(even, even_slope, sqrt(gabor_impl_kept_even(variance)));
+    gabor_impl_normalize_windows(odd, odd_slope, sqrt(gabor_impl_kept_odd(variance)));
     return GaborImplLine_of(gabor_impl_four_line_words(cell + int(zero), period, salt), even, even_slope, odd, odd_slope);
 }
 
@@ -471,13 +471,12 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
             variance = a * a + b * b;
             oblique = gabor_impl_oblique(a.x * a.y + b.x * b.y, variance.x, variance.y);
             float2 even = float2(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y));
-            even *= even;
             kept = even.x * even.y;
             float2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             float2 slopes = kept * float2(x.x, y.x); // of u(x) u(y), or the terms of v(x) u(y) and u(x) v(y)
             if (perlin) {
                 float2 odd = float2(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y));
-                odd = 0.5 * kept * odd * odd / even;
+                odd = 0.5 * kept * odd / even;
                 slopes = float2(odd.x * x.y + odd.y * x.x, odd.x * y.x + odd.y * y.y);
                 kept = odd.x + odd.y;
                 oblique *= oblique * oblique;
@@ -742,7 +741,6 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
                     * gabor_impl_oblique(a.y * a.z + b.y * b.z, variance.y, variance.z);
             float3 even = float3(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y),
                              gabor_impl_kept_even(variance.z));
-            even *= even;
             kept = even.x * even.y * even.z;
             float2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             float2 z = gabor_impl_slope_powers(variance.z, perlin);
@@ -750,7 +748,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
             if (perlin) {
                 float3 odd = float3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even; // 1/3
+                odd = 0.33333333 * kept * odd / even; // 1/3
                 slopes = float3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;

@@ -160,13 +160,13 @@ struct GaborImplLine {
     gabor_vec4 odd_slope;
 };
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.006.
+// The squared correlations of filtered windows u and v with the exactly filtered ones: their roots are within 0.006.
 GABOR_INLINE float gabor_impl_kept_even(float variance) {
-    return gabor_cpp_inversesqrt(gabor_cpp_sqrt(1.0f + variance * (2.888f + 1.52f * variance * variance / (variance + 0.5855f))));
+    return gabor_cpp_inversesqrt(1.0f + variance * (2.888f + 1.52f * variance * variance / (variance + 0.5855f)));
 }
 
 GABOR_INLINE float gabor_impl_kept_odd(float variance) {
-    float y = gabor_cpp_inversesqrt(gabor_cpp_sqrt(1.0f + variance * (2.704f + 1.173f * variance * variance / (variance + 0.149f))));
+    float y = gabor_cpp_inversesqrt(1.0f + variance * (2.704f + 1.173f * variance * variance / (variance + 0.149f)));
     return y * y * y;
 }
 
@@ -196,7 +196,7 @@ GABOR_INLINE GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local
     gabor_vec2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
     gabor_vec4 cosine = gabor_vec4(t0.x, t1.x, t2.x, t3.x), sine = gabor_vec4(t0.y, t1.y, t2.y, t3.y);
     gabor_vec4 value = cosine * cosine, slope = -3.1415927f / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, gabor_impl_kept_even(variance));
+    gabor_impl_normalize_windows(value, slope, gabor_cpp_sqrt(gabor_impl_kept_even(variance)));
     return GaborImplLine{gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, gabor_vec4(0.0f),
                          gabor_vec4(0.0f)};
 }
@@ -215,8 +215,8 @@ GABOR_INLINE GaborImplLine gabor_impl_perlin_line(int cell, float local, int per
     gabor_vec4 share = 2.0f + 2.0f * t - 3.0f * t * hann;
     gabor_vec4 even = hann * hann * (1.0f + t - t * hann), even_slope = hann_slope * hann * share, odd = even_slope;
     gabor_vec4 odd_slope = -1.2337006f * cosine * hann * share + hann_slope * hann_slope * (share - 3.0f * t * hann); // pi^2/8
-    gabor_impl_normalize_windows(even, even_slope, gabor_impl_kept_even(variance));
-    gabor_impl_normalize_windows(odd, odd_slope, gabor_impl_kept_odd(variance));
+    gabor_impl_normalize_windows(even, even_slope, gabor_cpp_sqrt(gabor_impl_kept_even(variance)));
+    gabor_impl_normalize_windows(odd, odd_slope, gabor_cpp_sqrt(gabor_impl_kept_odd(variance)));
     return GaborImplLine{gabor_impl_four_line_words(cell + int(zero), period, salt), even, even_slope, odd, odd_slope};
 }
 
@@ -440,13 +440,12 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
             variance = a * a + b * b;
             oblique = gabor_impl_oblique(a.x * a.y + b.x * b.y, variance.x, variance.y);
             gabor_vec2 even = gabor_vec2(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y));
-            even *= even;
             kept = even.x * even.y;
             gabor_vec2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             gabor_vec2 slopes = kept * gabor_vec2(x.x, y.x); // of u(x) u(y), or the terms of v(x) u(y) and u(x) v(y)
             if (perlin) {
                 gabor_vec2 odd = gabor_vec2(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y));
-                odd = 0.5f * kept * odd * odd / even;
+                odd = 0.5f * kept * odd / even;
                 slopes = gabor_vec2(odd.x * x.y + odd.y * x.x, odd.x * y.x + odd.y * y.y);
                 kept = odd.x + odd.y;
                 oblique *= oblique * oblique;
@@ -705,7 +704,6 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
                     * gabor_impl_oblique(a.y * a.z + b.y * b.z, variance.y, variance.z);
             gabor_vec3 even = gabor_vec3(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y),
                              gabor_impl_kept_even(variance.z));
-            even *= even;
             kept = even.x * even.y * even.z;
             gabor_vec2 x = gabor_impl_slope_powers(variance.x, perlin), y = gabor_impl_slope_powers(variance.y, perlin);
             gabor_vec2 z = gabor_impl_slope_powers(variance.z, perlin);
@@ -713,7 +711,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
             if (perlin) {
                 gabor_vec3 odd = gabor_vec3(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333f * kept * odd * odd / even; // 1/3
+                odd = 0.33333333f * kept * odd / even; // 1/3
                 slopes = gabor_vec3(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                               odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;

@@ -146,13 +146,13 @@ struct GaborImplLine {
     odd_slope: vec4f,
 }
 
-// The correlations of filtered windows u and v with the exactly filtered ones, within 0.006.
+// The squared correlations of filtered windows u and v with the exactly filtered ones: their roots are within 0.006.
 fn gabor_impl_kept_even(variance: f32) -> f32 {
-    return inverseSqrt(sqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855))));
+    return inverseSqrt(1.0 + variance * (2.888 + 1.52 * variance * variance / (variance + 0.5855)));
 }
 
 fn gabor_impl_kept_odd(variance: f32) -> f32 {
-    let y = inverseSqrt(sqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149))));
+    let y = inverseSqrt(1.0 + variance * (2.704 + 1.173 * variance * variance / (variance + 0.149)));
     return y * y * y;
 }
 
@@ -182,7 +182,7 @@ fn gabor_impl_smooth_line_filtered(cell: i32, local: f32, period: i32, salt: u32
     let t2 = gabor_impl_half_turn(t.z); let t3 = gabor_impl_half_turn(t.w);
     let cosine = vec4f(t0.x, t1.x, t2.x, t3.x); let sine = vec4f(t0.y, t1.y, t2.y, t3.y);
     var value = cosine * cosine; var slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(&value, &slope, gabor_impl_kept_even(variance));
+    gabor_impl_normalize_windows(&value, &slope, sqrt(gabor_impl_kept_even(variance)));
     return GaborImplLine(gabor_impl_four_line_words(cell + i32(zero), period, salt), value, slope, vec4f(0.0),
                          vec4f(0.0));
 }
@@ -201,8 +201,8 @@ fn gabor_impl_perlin_line(cell: i32, local: f32, period: i32, salt: u32, varianc
     let share = 2.0 + 2.0 * t - 3.0 * t * hann;
     var even = hann * hann * (1.0 + t - t * hann); var even_slope = hann_slope * hann * share; var odd = even_slope;
     var odd_slope = -1.2337006 * cosine * hann * share + hann_slope * hann_slope * (share - 3.0 * t * hann); // pi^2/8
-    gabor_impl_normalize_windows(&even, &even_slope, gabor_impl_kept_even(variance));
-    gabor_impl_normalize_windows(&odd, &odd_slope, gabor_impl_kept_odd(variance));
+    gabor_impl_normalize_windows(&even, &even_slope, sqrt(gabor_impl_kept_even(variance)));
+    gabor_impl_normalize_windows(&odd, &odd_slope, sqrt(gabor_impl_kept_odd(variance)));
     return GaborImplLine(gabor_impl_four_line_words(cell + i32(zero), period, salt), even, even_slope, odd, odd_slope);
 }
 
@@ -432,14 +432,13 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
             let b = clamp(0.5 * (dy.x * octave.along_x + dy.y * octave.along_y), vec2f(-1.0e3), vec2f(1.0e3));
             variance = a * a + b * b;
             oblique = gabor_impl_oblique(a.x * a.y + b.x * b.y, variance.x, variance.y);
-            var even = vec2f(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y));
-            even *= even;
+            let even = vec2f(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y));
             kept = even.x * even.y;
             let x = gabor_impl_slope_powers(variance.x, perlin); let y = gabor_impl_slope_powers(variance.y, perlin);
             var slopes = kept * vec2f(x.x, y.x); // of u(x) u(y), or the terms of v(x) u(y) and u(x) v(y)
             if (perlin) {
                 var odd = vec2f(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y));
-                odd = 0.5 * kept * odd * odd / even;
+                odd = 0.5 * kept * odd / even;
                 slopes = vec2f(odd.x * x.y + odd.y * x.x, odd.x * y.x + odd.y * y.y);
                 kept = odd.x + odd.y;
                 oblique *= oblique * oblique;
@@ -705,9 +704,8 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
             oblique = gabor_impl_oblique(a.x * a.y + b.x * b.y, variance.x, variance.y)
                     * gabor_impl_oblique(a.x * a.z + b.x * b.z, variance.x, variance.z)
                     * gabor_impl_oblique(a.y * a.z + b.y * b.z, variance.y, variance.z);
-            var even = vec3f(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y),
+            let even = vec3f(gabor_impl_kept_even(variance.x), gabor_impl_kept_even(variance.y),
                              gabor_impl_kept_even(variance.z));
-            even *= even;
             kept = even.x * even.y * even.z;
             let x = gabor_impl_slope_powers(variance.x, perlin); let y = gabor_impl_slope_powers(variance.y, perlin);
             let z = gabor_impl_slope_powers(variance.z, perlin);
@@ -715,7 +713,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
             if (perlin) {
                 var odd = vec3f(gabor_impl_kept_odd(variance.x), gabor_impl_kept_odd(variance.y),
                                 gabor_impl_kept_odd(variance.z));
-                odd = 0.33333333 * kept * odd * odd / even; // 1/3
+                odd = 0.33333333 * kept * odd / even; // 1/3
                 slopes = vec3f(odd.x * x.y + (odd.y + odd.z) * x.x, odd.y * y.y + (odd.x + odd.z) * y.x,
                                odd.z * z.y + (odd.x + odd.y) * z.x);
                 kept = odd.x + odd.y + odd.z;

@@ -186,7 +186,7 @@ GABOR_INLINE float gabor_cpp_fract(float x) {
 }
 GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
 #if defined __FAST_MATH__ && __GNUC__ >= 14 // miscompiles products of 1 / sqrt(x) with itself
-    return __builtin_assoc_barrier(1.0f / std::sqrt(x));
+    return std::sqrt(1.0f / x);
 #else
     return 1.0f / std::sqrt(x);
 #endif
