@@ -458,7 +458,8 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
     float octaves = clamp(fractal.octaves, 1.0, 16.0), amplitude = 1.0, power = 0.0;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
-    for (int i = 0; i < count; ++i) {
+    int i = 0; // a do-while loop, because drivers do not unroll a long for loop of one octave
+    do {
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -492,7 +493,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
-    }
+    } while (++i < count);
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;
     sum.gradient *= scale;
@@ -723,7 +724,8 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
     float octaves = clamp(fractal.octaves, 1.0, 16.0), amplitude = 1.0, power = 0.0;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
-    for (int i = 0; i < count; ++i) {
+    int i = 0;
+    do {
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -765,7 +767,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
-    }
+    } while (++i < count);
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;
     sum.gradient *= scale;
