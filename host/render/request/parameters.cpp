@@ -204,10 +204,12 @@ Place by_name(Get get, Put put) {
             [put](Request& request, const Value& value) { put(request, std::get<std::string>(value)); }};
 }
 
-Place by_index(int Request::*index, std::span<const std::string_view> names) {
-    return by_name([=](const Request& r) { return names[static_cast<std::size_t>(r.*index)]; },
+// `find` returns a reference to a request's index.
+template <typename Find>
+Place by_index(Find find, std::span<const std::string_view> names) {
+    return by_name([=](const Request& r) { return names[static_cast<std::size_t>(find(r))]; },
                    [=](Request& r, const std::string& name) {
-                       r.*index = static_cast<int>(std::ranges::find(names, name) - names.begin());
+                       find(r) = static_cast<int>(std::ranges::find(names, name) - names.begin());
                    });
 }
 
@@ -326,12 +328,8 @@ std::vector<Parameter> fractal_rows() {
             "Angle between octaves, unless the picture tiles", in_fractal(&Fractal::turn)),
         row("fractal.basis", Type::choice, "", none, none, scopes::fractal,
             "Noise of an octave: smooth, or with the spectrum of Perlin noise",
-            by_name(
-                [](const Request& r) { return fractal_bases.at(static_cast<std::size_t>(r.fractal.basis)); },
-                [](Request& r, const std::string& name) {
-                    r.fractal.basis =
-                        static_cast<int>(std::ranges::find(fractal_bases, name) - fractal_bases.begin());
-                }),
+            by_index(
+                [](auto& r) -> auto& { return r.fractal.basis; }, fractal_bases),
             {fractal_bases.begin(), fractal_bases.end()}),
         row("fractal.warp", Type::number, "kernel radii", {-100, 100}, {0, 1}, scopes::fractal,
             "Strength of a warp by fBm of the same octaves", in_fractal(&Fractal::warp)),
@@ -384,7 +382,9 @@ std::vector<Parameter> light_rows() {
             "Angle of the light above the surface", in_request(&Request::light_elevation)),
         row("environment", Type::choice, "", none, none, scopes::material,
             "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
-            by_index(&Request::environment, environments), {environments.begin(), environments.end()}),
+            by_index(
+                [](auto& r) -> auto& { return r.environment; }, environments),
+            {environments.begin(), environments.end()}),
     };
 }
 
@@ -397,7 +397,9 @@ std::vector<Parameter> terrain_rows() {
             in_request(&Request::extent)),
         row("cover", Type::choice, "", none, none, scopes::terrain,
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
-            by_index(&Request::cover, covers), {covers.begin(), covers.end()})};
+            by_index(
+                [](auto& r) -> auto& { return r.cover; }, covers),
+            {covers.begin(), covers.end()})};
 }
 
 // Sea::loop_seconds is 0 or a power of 2 from 8.
