@@ -120,6 +120,7 @@ struct GaborWarp3d {
 // GaborWarp3d gabor_warp_3d(GaborPlace3d place, float strength, GaborFractal fractal, uint seed)
 // GaborWarp3d gabor_warp_3d_filtered(GaborPlace3d place, vec3 dx, vec3 dy, float strength, GaborFractal fractal,
 //                                    uint seed)
+//     The place moved by a warp, plain or filtered.
 
 // ====================================================================================================================
 // Private implementation

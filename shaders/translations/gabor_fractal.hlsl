@@ -150,6 +150,7 @@ GaborWarp3d GaborWarp3d_of(GaborPlace3d place, float3 dx, float3 dy, float3 dz, 
 // GaborWarp3d gabor_warp_3d(GaborPlace3d place, float strength, GaborFractal fractal, uint seed)
 // GaborWarp3d gabor_warp_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, float strength, GaborFractal fractal,
 //                                    uint seed)
+//     The place moved by a warp, plain or filtered.
 
 // ====================================================================================================================
 // Private implementation

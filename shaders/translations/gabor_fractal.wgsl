@@ -115,6 +115,7 @@ struct GaborWarp3d {
 // fn gabor_warp_3d(place: GaborPlace3d, strength: f32, fractal: GaborFractal, seed: u32) -> GaborWarp3d
 // fn gabor_warp_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, strength: f32, GaborFractal fractal, -> GaborWarp3d
 //                                    u32 seed)
+//     The place moved by a warp, plain or filtered.
 
 // ====================================================================================================================
 // Private implementation

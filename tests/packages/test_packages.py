@@ -739,7 +739,7 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
         self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "nodes.py", "package", "translate", "unity.py", "version.py", "wgsl.py")),
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "index.py", "nodes.py", "package", "translate", "unity.py", "version.py", "wgsl.py")),
                           "shaders/translations/gabor_vectors.hpp", *more))
         (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
