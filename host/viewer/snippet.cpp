@@ -293,7 +293,7 @@ std::string material_snippet(const View& view) {
 
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
-    return includes({"noise", "erosion", "fractal"}) + shaders({"ground.glsl", "landscape.glsl", "srgb.glsl"}) +
+    return includes({"noise", "erosion", "fractal"}) + shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
                 "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
                 "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",

@@ -1,5 +1,5 @@
-// Shows ground in colour, lit by a sun and the sky, with lakes, from above or in perspective. Include it after ground.glsl, or after
-// other definitions of its struct and functions.
+// Shows ground in colour, lit by a sun and the sky, with lakes, from above or in perspective. Include it after ranges.glsl, or after
+// other definitions of its hills_at, ground_on and ground_at.
 
 vec3 sun_of(Ground ground) {
     return vec3(ground.sun.x, sqrt(max(1.0 - dot(ground.sun, ground.sun), 0.0)), ground.sun.y);
@@ -32,9 +32,10 @@ GaborFractal octaves_of(float octaves, float gain, int shape) {
 }
 
 Site site_at(Ground ground, GaborTerrain here, vec2 p, vec2 dx, vec2 dy) {
-    float span = length(vec2(dot(here.slope, dx), dot(here.slope, dy)));
-    return Site(here, length(here.slope), p, dx, dy, span, noise_on(ground, p, dx, dy, 6.0, gabor_fractal(8.0, 0.58), 2),
-                noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
+    vec2 rise = vec2(dot(here.slope, dx), dot(here.slope, dy)), up = vec2(0.35, -0.5); // noise that moves with the height has no streaks on cliffs
+    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(8.0, 0.6), 2);
+    fine.gradient += dot(fine.gradient, up) * here.slope;
+    return Site(here, length(here.slope), p, dx, dy, length(rise), fine, noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
 }
 
 // Layers that a height crosses, `turns` of them in a unit: -1 to 1, 0 where a pixel crosses many.
@@ -45,10 +46,10 @@ float layers(float height, float turns, float span) {
 
 // Trees as seen from afar: crowns with dark gaps. Returns the colour and the share of the ground that they hide.
 vec4 trees(Ground ground, Site site, float dense) {
-    GaborFractalNoise crowns = noise_on(ground, site.p, site.dx, site.dy, 34.0, octaves_of(3.0, 0.6, GABOR_BILLOW), 4);
-    float bare = 1.1 - 2.4 * dense - 0.35 * site.broad - 0.35 * site.fine.noise, soft = 0.4 + 1.2 * crowns.removed;
-    vec3 colour = mix(vec3(0.016, 0.032, 0.014), vec3(0.045, 0.072, 0.022), smoothstep(-1.2, 1.6, crowns.noise + 0.5 * site.fine.noise));
-    return vec4(colour, smoothstep(bare - soft, bare + soft, 0.8 * crowns.noise) * smoothstep(0.02, 0.2, dense));
+    GaborFractalNoise crowns = noise_on(ground, site.p, site.dx, site.dy, 70.0, octaves_of(3.0, 0.7, GABOR_BILLOW), 4);
+    float bare = 1.6 - 3.2 * dense - 0.5 * site.broad - 0.6 * site.fine.noise, soft = 0.35 + 1.2 * crowns.removed;
+    vec3 colour = mix(vec3(0.012, 0.023, 0.012), vec3(0.04, 0.056, 0.022), smoothstep(-1.4, 1.8, crowns.noise + 0.5 * site.fine.noise));
+    return vec4(colour, smoothstep(bare - soft, bare + soft, crowns.noise) * smoothstep(0.02, 0.2, dense));
 }
 
 vec3 alpine_colour(Ground ground, Site site) {
@@ -61,7 +62,7 @@ vec3 alpine_colour(Ground ground, Site site) {
     rock = mix(rock, vec3(0.17, 0.135, 0.1), 0.5 * smoothstep(0.5, 1.8, n - broad)); // stains
     vec3 scree = mix(vec3(0.19, 0.175, 0.15), vec3(0.29, 0.265, 0.23), smoothstep(-1.5, 1.5, n));
     float green = smoothstep(0.3, -0.15, height - 0.12 * here.ridge);
-    vec3 grass = mix(vec3(0.06, 0.085, 0.022), vec3(0.15, 0.13, 0.05), smoothstep(-1.6, 1.6, broad + 0.7 * n + 2.5 * here.height));
+    vec3 grass = mix(vec3(0.07, 0.085, 0.028), vec3(0.16, 0.135, 0.06), smoothstep(-1.8, 1.6, broad + 0.8 * n + 2.5 * here.height));
     vec3 colour = mix(scree, grass, green);
     colour = mix(colour, rock, smoothstep(0.6, 0.95, site.steep * (1.0 + 0.18 * n) + 0.12 * here.ridge));
     vec4 wood = trees(ground, site, smoothstep(0.16, -0.3, height - 0.06 * here.ridge) * smoothstep(1.25, 0.75, site.steep + 0.1 * n));
@@ -142,7 +143,7 @@ vec3 ground_colour(Ground ground, Site site) {
 
 // The normal of ground that is rougher where it is steep.
 vec3 rough_normal(Ground ground, Site site) {
-    float steep = smoothstep(0.25, 1.0, site.steep), amount = ground.cover == 1 ? 0.003 : ground.cover == 3 ? 0.002 : mix(0.003, 0.014, steep);
+    float steep = smoothstep(0.25, 1.0, site.steep), amount = ground.cover == 1 ? 0.003 : ground.cover == 3 ? 0.002 : mix(0.003, 0.024, steep);
     vec2 slope = site.here.slope + amount * (1.0 + 0.6 * site.steep) * site.fine.gradient;
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
@@ -191,10 +192,10 @@ vec3 exposed(vec3 light) {
 float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
     GaborTerrain hills = hills_at(ground, at.xz, pixel);
     float above = at.y - hills.height - ground.reach;
-    stride = 0.45 * above;
+    stride = (ground.cover == 2 ? 0.2 : 0.45) * above; // cliffs are steep
     if (above > margin) return above;
     above = at.y - ground_on(ground, at.xz, pixel, hills).height;
-    stride = 0.2 * above;
+    stride = 0.15 * above;
     return above;
 }
 
@@ -210,14 +211,18 @@ struct RayEnd {
 RayEnd end_of_ray(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
     vec3 steps = vec3(0.0), heights = vec3(1.0e9); // the last three, the latest first
     float t = 0.0, above = 0.0, resumed = -1.0, stride;
+    vec2 over = vec2(0.0), under = vec2(0.0); // (t, height) on both sides of the end
+    int narrowed = -1;
     RayEnd end = RayEnd(-1.0, 0.0, 0.0);
     for (int i = 0; i < 500 && t < far; ++i) {
         vec3 at = eye + t * ray;
         if (at.y > 1.6 + ground.reach && ray.y > 0.0) break;
         above = height_above(ground, at, max(wide * t, 0.3 * above), 0.5 * ground.reach, stride);
-        if (above < 0.0) { // the ground is between the last two steps
-            vec2 before = resumed > 0.0 ? vec2(steps.z, heights.z) : vec2(steps.x, heights.x);
-            t = mix(before.x, t, before.y / (before.y - above));
+        if (above < 0.0 || narrowed >= 0) {
+            if (narrowed < 0) over = resumed > 0.0 ? vec2(steps.z, heights.z) : vec2(steps.x, heights.x);
+            if (above < 0.0) under = vec2(t, above); else over = vec2(t, above);
+            t = mix(over.x, under.x, clamp(over.y / (over.y - under.y), 0.15, 0.85));
+            if (++narrowed < 4) continue;
             end.ground = t;
             if (t - end.edge < 8.0 * wide * t) end.covered = 0.0; // the same slope
             break;
@@ -298,8 +303,8 @@ vec3 under_water(vec3 bed, vec3 deep, float depth) {
 // Slopes of waves on a lake in x and y, and their spread below a pixel. Wind ruffles some places more than others.
 vec3 waves_at(Ground ground, vec2 p, vec2 dx, vec2 dy) {
     float wind = noise_on(ground, p, dx, dy, 1.0, gabor_fractal(3.0, 0.6), 5).noise;
-    GaborFractalNoise waves = noise_on(ground, p, dx, dy, 60.0, gabor_fractal(4.0, 0.6), 6);
-    return mix(0.00006, 0.0004, smoothstep(-1.0, 1.5, wind)) * vec3(waves.gradient, sqrt(waves.lost.x + waves.lost.y));
+    GaborFractalNoise waves = noise_on(ground, p, dx, dy, 180.0, gabor_fractal(4.0, 0.6), 6);
+    return mix(0.00001, 0.00013, smoothstep(-1.0, 1.5, wind)) * vec3(waves.gradient, sqrt(waves.lost.x + waves.lost.y));
 }
 
 // What a ray hits: the ground, the sky, or a lake, which mirrors what a second ray hits.

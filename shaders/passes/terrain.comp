@@ -9,6 +9,7 @@
 #include "gabor_erosion.glsl"
 #include "gabor_fractal.glsl"
 #include "ground.glsl"
+#include "ranges.glsl"
 #include "landscape.glsl"
 
 layout(constant_id = view_id) const uint view = view_terrain;
