@@ -65,7 +65,7 @@ vec3 alpine_colour(Ground ground, Site site) {
     vec3 grass = mix(vec3(0.07, 0.085, 0.028), vec3(0.16, 0.135, 0.06), smoothstep(-1.8, 1.6, broad + 0.8 * n + 2.5 * here.height));
     vec3 colour = mix(scree, grass, green);
     colour = mix(colour, rock, smoothstep(0.6, 0.95, site.steep * (1.0 + 0.18 * n) + 0.12 * here.ridge));
-    vec4 wood = trees(ground, site, smoothstep(0.16, -0.3, height - 0.06 * here.ridge) * smoothstep(1.25, 0.75, site.steep + 0.1 * n));
+    vec4 wood = trees(ground, site, smoothstep(0.2, -0.25, height - 0.06 * here.ridge) * smoothstep(1.7, 1.0, site.steep + 0.15 * n));
     colour = mix(colour, wood.rgb, wood.a);
     // Snow lies where it is high and not too steep, longest in creases and away from the sun.
     float shade = dot(here.slope, ground.sun), lies = here.height - 0.1 * here.ridge + 0.1 * shade + 0.05 * n + 0.05 * broad;

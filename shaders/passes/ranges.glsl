@@ -1,11 +1,10 @@
 // Hills in ranges, and their erosion, as ground.glsl declares the ground. Include it after ground.glsl.
 
 // Replaces the height h by f(h), where f(h) = curve.x and its derivatives are curve.y and curve.z.
-void remap_height(inout GaborTerrain hills, vec3 curve) {
+GaborTerrain remapped(GaborTerrain hills, vec3 curve) {
     vec2 s = hills.slope;
-    hills.height = curve.x;
-    hills.curvature = curve.y * hills.curvature + curve.z * vec3(s.x * s.x, s.x * s.y, s.y * s.y);
-    hills.slope *= curve.y;
+    vec3 curvature = curve.y * hills.curvature + curve.z * vec3(s.x * s.x, s.x * s.y, s.y * s.y);
+    return GaborTerrain(curve.x, curve.y * s, hills.ridge, curvature, hills.ridge_slope);
 }
 
 // Beds of hard rock, whose edges are cliffs and whose tops are benches: x - a sin(2 pi x) / (2 pi) of heights in beds, and once more.
@@ -36,10 +35,9 @@ GaborTerrain hills_at(Ground ground, vec2 p, float pixel) {
                     + lifted * bend * vec3(g.x * g.x, g.x * g.y, g.y * g.y);
     hills.slope = grown * s + lifted * along;
     hills.height = grown * hills.height + 0.55 * (t - 0.6);
-    if (ground.cover == 2) remap_height(hills, bedded(hills.height, 3.2));
+    if (ground.cover == 2) hills = remapped(hills, bedded(hills.height, 3.2));
     vec2 above = hills.height - vec2(-0.42, 0.8), width = vec2(0.02, 0.06), root = sqrt(above * above + width), part = vec2(0.5, -0.25);
-    remap_height(hills, vec3(dot(part, above + root) - 0.42, dot(part, 1.0 + above / root), dot(part, width / (root * root * root))));
-    return hills;
+    return remapped(hills, vec3(dot(part, above + root) - 0.42, dot(part, 1.0 + above / root), dot(part, width / (root * root * root))));
 }
 
 // The ground at p, filtered for a pixel that is `pixel` wide on the ground.
