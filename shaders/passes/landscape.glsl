@@ -33,7 +33,7 @@ GaborFractal octaves_of(float octaves, float gain, int shape) {
 
 Site site_at(Ground ground, GaborTerrain here, vec2 p, vec2 dx, vec2 dy) {
     vec2 rise = vec2(dot(here.slope, dx), dot(here.slope, dy)), up = vec2(0.35, -0.5); // noise that moves with the height has no streaks on cliffs
-    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(8.0, 0.6), 2);
+    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(7.0, 0.62), 2);
     fine.gradient += dot(fine.gradient, up) * here.slope;
     return Site(here, length(here.slope), p, dx, dy, length(rise), fine, noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
 }
@@ -143,7 +143,7 @@ vec3 ground_colour(Ground ground, Site site) {
 
 // The normal of ground that is rougher where it is steep.
 vec3 rough_normal(Ground ground, Site site) {
-    float steep = smoothstep(0.25, 1.0, site.steep), amount = ground.cover == 1 ? 0.003 : ground.cover == 3 ? 0.002 : mix(0.003, 0.024, steep);
+    float steep = smoothstep(0.25, 1.0, site.steep), amount = ground.cover == 1 ? 0.003 : ground.cover == 3 ? 0.002 : mix(0.003, ground.cover == 2 ? 0.008 : 0.024, steep);
     vec2 slope = site.here.slope + amount * (1.0 + 0.6 * site.steep) * site.fine.gradient;
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
@@ -174,7 +174,7 @@ vec3 sky_along(Ground ground, vec3 ray, float wide) {
     float toward = max(dot(ray, sun), 0.0), far = 1.0 / (ray.y + 0.08);
     vec2 p = far * ray.xz * vec2(0.5, 1.1);
     GaborFractalNoise cloud = gabor_fractal_noise_filtered(gabor_place_at(p), wide * far * vec2(1.0, 0.0), wide * far * far * vec2(0.0, 1.0),
-                                                           gabor_fractal(7.0, 0.58), ground.seed + 77u);
+                                                           gabor_fractal(5.0, 0.55), ground.seed + 77u);
     float cover = smoothstep(0.1, 2.6, cloud.noise) * smoothstep(0.02, 0.2, ray.y);
     light = mix(light, mix(vec3(0.95, 0.82, 0.72), vec3(0.92, 0.94, 0.97), smoothstep(0.1, 0.5, sun.y)) + 0.4 * pow(toward, 8.0), 0.75 * cover);
     return light + 12.0 * vec3(1.0, 0.85, 0.65) * smoothstep(0.99985, 0.99996, toward);
@@ -190,12 +190,12 @@ vec3 exposed(vec3 light) {
 // hills, returns its height above that instead, which costs less. No ray from the point meets the ground within the distance
 // `stride`, unless the ground is extremely steep.
 float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
-    GaborTerrain hills = hills_at(ground, at.xz, pixel);
+    GaborTerrain hills = hills_at(ground, at.xz, 0.0);
     float above = at.y - hills.height - ground.reach;
-    stride = (ground.cover == 2 ? 0.2 : 0.45) * above; // cliffs are steep
+    stride = (ground.cover == 2 ? 0.3 : 0.45) * above; // cliffs are steep
     if (above > margin) return above;
     above = at.y - ground_on(ground, at.xz, pixel, hills).height;
-    stride = 0.15 * above;
+    stride = 0.18 * above;
     return above;
 }
 
@@ -216,7 +216,7 @@ RayEnd end_of_ray(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
     RayEnd end = RayEnd(-1.0, 0.0, 0.0);
     for (int i = 0; i < 500 && t < far; ++i) {
         vec3 at = eye + t * ray;
-        if (at.y > 1.6 + ground.reach && ray.y > 0.0) break;
+        if (at.y > 1.7 + ground.reach && ray.y > 0.0) break;
         above = height_above(ground, at, max(wide * t, 0.3 * above), 0.5 * ground.reach, stride);
         if (above < 0.0 || narrowed >= 0) {
             if (narrowed < 0) over = resumed > 0.0 ? vec2(steps.z, heights.z) : vec2(steps.x, heights.x);
@@ -254,7 +254,7 @@ RayEnd end_of_ray(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
 float sunlight_at(Ground ground, vec3 at, float pixel) {
     vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04, stride;
-    for (int i = 0; i < 80 && light > 0.0 && at.y + t * sun.y < 1.6 + ground.reach; ++i) {
+    for (int i = 0; i < 80 && light > 0.0 && at.y + t * sun.y < 1.7 + ground.reach; ++i) {
         float above = height_above(ground, at + t * sun, 0.15, t / 12.0, stride);
         light = min(light, 0.5 + 12.0 * above / t);
         t += max(stride, max(2.0 * pixel, 0.006 + 0.025 * t)); // longer steps would jump over ridges and make shadows ragged

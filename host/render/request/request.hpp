@@ -110,7 +110,7 @@ struct Sea {
 /// What can surround a lit surface, as in shaders/passes/light.glsl.
 inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
 
-/// The heights of gabor_terrain stay within this distance of 0, which is six standard deviations.
+/// The heights of hills stay within this distance of 0.
 inline constexpr double hill_reach = 2;
 
 /// What can cover terrain, as in shaders/passes/landscape.glsl.
