@@ -81,9 +81,14 @@ def materials(of_materials, of_boards):
     return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'
 
 
-# The files of the page's sea, in order. It has more bands than the translation.
-SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
+def in_shaders(*names):
+    return tuple(ROOT / "shaders" / f"{name}.glsl" for name in names)
+
+
+# The files of the page's sea, in order, which has more bands than the translation, and of its ground.
+SEA = in_shaders("gabor_ocean", "passes/seascape", "passes/srgb")
 SEA_MACROS = "GABOR_OCEAN_BANDS=12",
+GROUND = in_shaders("passes/ground", "passes/ranges")
 
 
 def brief(text):
@@ -100,7 +105,8 @@ def made(shader, in_wgsl):
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
-    for i, path in enumerate(SEA):
-        texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=SEA_MACROS, before=(ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i]))
+    for files, macros, before in (SEA, SEA_MACROS, ("gabor_noise",)), (GROUND, (), ("gabor_noise", "gabor_erosion", "gabor_fractal")):
+        for i, path in enumerate(files):
+            texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=macros, before=(*in_shaders(*before), *files[:i]))
     texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl"))}
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())

@@ -199,7 +199,7 @@ void material_panel(Session& session) {
 }
 
 void terrain_panel(Session& session) {
-    controls(session, {"scale", "seed", "extent", "cover"});
+    controls(session, {"scale", "seed", "extent", "cover", "water_level"});
     controls_of(session, render::Parameter::Group::erosion);
 }
 

@@ -440,7 +440,7 @@ class Erode(ProgramTest):
             ("every pixel",): ("flat.exr", "--nodata=1", "-o", "out.exr"),
             ("LOW,HIGH",): ("colour0.png", "--elevation=2,1", "-o", "out.png"),
             ("--region", "96 x 96"): ("map.exr", "--extent=8", "--region=90,0,10,10", "-o", "out.exr"),
-            ("--preset 'dunes'", "alps, badlands, canyon, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
+            ("--preset 'dunes'", "alps, badlands, canyon, fjord, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
             ("'map.r16'",): ("map.exr", "--extent=8", "--masks=map.r16", "-o", "out.exr"),
             ("--octaves '2.5'", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
             ("--gain '3'", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),

@@ -399,7 +399,10 @@ std::vector<Parameter> terrain_rows() {
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
             by_index(
                 [](auto& r) -> auto& { return r.cover; }, covers),
-            {covers.begin(), covers.end()})};
+            {covers.begin(), covers.end()}),
+        row("water_level", Type::number, "", {-hill_reach, hill_reach}, {-hill_reach, 1}, scopes::terrain,
+            "Level of the water of lakes in kernel radii; the least is below all ground",
+            in_request(&Request::water_level))};
 }
 
 // Sea::loop_seconds is 0 or a power of 2 from 8.

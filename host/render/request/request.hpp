@@ -110,6 +110,9 @@ struct Sea {
 /// What can surround a lit surface, as in shaders/passes/light.glsl.
 inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
 
+/// The heights of hills stay within this distance of 0.
+inline constexpr double hill_reach = 2;
+
 /// What can cover terrain, as in shaders/passes/landscape.glsl.
 inline constexpr std::array<std::string_view, 4> covers{"alpine", "meadow", "desert", "badlands"};
 
@@ -139,6 +142,7 @@ struct Request {
     Sea sea = {};
     Fractal fractal = {};
     double extent = 0;      ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
+    double water_level = -hill_reach; ///< of lakes in kernel radii; this one is below all ground
     int cover = 0;          ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
@@ -172,9 +176,6 @@ double terrain_unit(const Request& request);
 
 /// The most that a terrain's erosion raises or lowers hills, in kernel radii.
 double erosion_reach(const Request& request);
-
-/// The heights of gabor_terrain stay within this distance of 0, which is six standard deviations.
-inline constexpr double hill_reach = 2;
 
 /// The components, to the right and down, of the unit vector towards the lamp or the sun.
 std::array<double, 2> light_direction(const Request& request);
