@@ -271,7 +271,7 @@ void erode(const ErodeOptions& options) {
     check_within(region, map.width, map.height, "--region", "map");
     const double reach = render::erosion_reach(map.smoothed, map.width, map.extent, request);
 
-    note_interrupts();
+    system::note_interrupts();
     const vulkan::Device device(options.device);
     write(options, device, map, request, region, reach);
     fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,

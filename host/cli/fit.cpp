@@ -50,7 +50,7 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
 }
 
 void fit_picture(const FitOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     const int lobes = parse_integer("--lobes", options.lobes, 1, fit::most_lobes);
     const std::optional<std::string> name =
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;

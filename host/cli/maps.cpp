@@ -49,7 +49,7 @@ render::Request request_of(const MapsOptions& options) {
 }
 
 void render_maps(const MapsOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     if (options.half && !options.texture)
         throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
     if (options.normal_bits != "8" && options.normal_bits != "16")

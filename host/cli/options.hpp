@@ -5,12 +5,12 @@
 #include "error.hpp"
 #include "render/output/heightmap.hpp"
 #include "render/request/parameters.hpp"
+#include "system/number.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -63,7 +63,7 @@ std::array<Number, count> parse_numbers(std::string_view option, std::string_vie
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0 && (at == end || *at++ != separator))
             refuse(option, text, accepted);
-        const auto [stop, error] = std::from_chars(at, end, values[i]);
+        const auto [stop, error] = system::from_chars(at, end, values[i]);
         if (error != std::errc())
             refuse(option, text, accepted);
         at = stop;

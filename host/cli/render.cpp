@@ -98,7 +98,7 @@ void check_channels(const RenderOptions& options, const render::Files& files) {
 }
 
 void render_pictures(const RenderOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE");
     const Asked asked = asked_by(options);

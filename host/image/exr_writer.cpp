@@ -75,8 +75,7 @@ Imf::Header exr_header(const ExrHeader& description) {
 
 // Returns the path. Throws RequestError for a pipe, because the table of offsets is not written in order.
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_fifo(path, ignored))
+    if (system::is_pipe(path))
         throw RequestError(
             fmt::format("cannot write {}: it is a pipe; expected the path of a file", path.string()));
     return path;
@@ -88,7 +87,7 @@ const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
 // offsets, swallows exceptions, but OutputFile::commit reports them.
 class ExrStream final : public Imf::OStream {
   public:
-    explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
+    explicit ExrStream(OutputFile& file) : OStream(file.path().string().c_str()), file_(file) {}
 
     void write(const char* bytes, int count) override {
         file_.write({bytes, static_cast<std::size_t>(count)});

@@ -57,7 +57,7 @@ File open_file(const std::filesystem::path& path) {
     std::error_code error;
     if (const auto status = std::filesystem::status(path, error); !error && !is_regular_file(status))
         refuse_picture(path, "it is not a regular file");
-    File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    File file(std::fopen(path.string().c_str(), "rb"), std::fclose);
     if (!file)
         refuse_picture(path, std::strerror(errno));
     return file;

@@ -79,6 +79,9 @@ File open_file(const std::filesystem::path& path);
 /// Each of these reads a file of its format, as it is stored. `path` names it in messages.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
+/// The same for a JPEG in memory, which must outlive the reader.
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path,
+                                         std::span<const unsigned char> memory);
 /// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
 /// Reads a TIFF's first picture: one channel of floats, or of 16-bit integers, which are heights if they are

@@ -1,11 +1,12 @@
 #include "image/picture.hpp"
 
+#include "system/number.hpp"
+
 #include <fmt/format.h>
 #include <tiffio.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -31,7 +32,7 @@ class TiffPicture : public PictureReader {
                                                                                    TIFFOpenOptionsFree);
         TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &error_);
         TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
-        tiff_.reset(TIFFOpenExt(path.c_str(), "rm", options.get())); // m: not mapped to memory
+        tiff_.reset(TIFFOpenExt(path.string().c_str(), "rm", options.get())); // m: not mapped to memory
         require(tiff_ != nullptr);
 
         const auto width = field<std::uint32_t>(TIFFTAG_IMAGEWIDTH);
@@ -55,7 +56,7 @@ class TiffPicture : public PictureReader {
             format.extent = pixel[0] * width;
         const auto nodata = fields<char>(nodata_tag, TIFF_ASCII);
         float missing = 0;
-        if (std::from_chars(nodata.data(), nodata.data() + nodata.size(), missing).ec == std::errc())
+        if (system::from_chars(nodata.data(), nodata.data() + nodata.size(), missing).ec == std::errc())
             format.missing = missing;
         set_format(format);
 

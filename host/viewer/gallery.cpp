@@ -66,10 +66,7 @@ int words_found(const std::string& search, const std::string& text) {
 
 const PresetPictures& preset_pictures() {
     static const PresetPictures pictures = [] {
-        const std::span<const unsigned char> jpeg = embedded("presets.jpg");
-        const auto reader = image::open_jpeg(
-            "presets.jpg",
-            {::fmemopen(const_cast<unsigned char*>(jpeg.data()), jpeg.size(), "rb"), std::fclose});
+        const auto reader = image::open_jpeg("presets.jpg", embedded("presets.jpg"));
         PresetPictures all;
         all.extent = {reader->format().width, reader->format().height};
         const std::size_t row = 3 * static_cast<std::size_t>(all.extent.width);

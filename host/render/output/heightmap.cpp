@@ -1,6 +1,7 @@
 #include "render/output/heightmap.hpp"
 
 #include "error.hpp"
+#include "names.hpp"
 
 #include "passes/channels.h"
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <strings.h>
 
 namespace gabor::render {
 
@@ -30,7 +30,7 @@ nlohmann::ordered_json scale_of(const image::Rect& region, double pixel) {
 } // namespace
 
 bool has_extension(const std::filesystem::path& path, const char* extension) {
-    return ::strcasecmp(path.extension().c_str(), extension) == 0;
+    return lower(path.extension().string()) == extension;
 }
 
 std::optional<MapScale> scale_beside(const std::filesystem::path& map) {

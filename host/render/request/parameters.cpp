@@ -596,7 +596,7 @@ std::optional<std::array<double, 3>> read_colour(std::string_view text) {
             return {};
         int byte = 0;
         const auto [stop, error] =
-            hexadecimal ? std::from_chars(at, at + 2, byte, 16) : std::from_chars(at, end, part);
+            hexadecimal ? std::from_chars(at, at + 2, byte, 16) : system::from_chars(at, end, part);
         if (error != std::errc() || (hexadecimal && stop != at + 2))
             return {};
         if (hexadecimal)
@@ -728,7 +728,7 @@ Value read(const Parameter& p, std::string_view text) {
         std::int64_t whole = 0;
         const char* end = digits.data() + digits.size();
         const auto [stop, error] = p.type == Type::integer ? std::from_chars(digits.data(), end, whole)
-                                                           : std::from_chars(digits.data(), end, number);
+                                                           : system::from_chars(digits.data(), end, number);
         if (error != std::errc() || stop != end)
             refuse(text, accepted(p));
         if (p.type == Type::integer)
