@@ -1,4 +1,4 @@
-"""Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
+"""Other files made from the drop-ins: the page that contains them, and the program's tables of materials and of structs' members.
 tools/translate calls this module."""
 
 import json
@@ -65,6 +65,17 @@ def struct_rows(*trees):
     return "\n".join(lines) + "\n"
 
 
+def material_rows(tree):
+    """Returns the program's list of materials: the name without prefix of a function and the struct of its parameters, and the name for
+    options."""
+    lines = ["// Generated from gabor_materials.glsl by tools/translate: change that file, not this one."]
+    for item in tree.items:
+        if item.kind == "function" and item.name.text.endswith("_default"):
+            name = item.name.text.removeprefix("gabor_").removesuffix("_default")
+            lines.append(f'GABOR_MATERIAL({name}, {item.type}, "{name.replace("_", "-")}")')
+    return "\n".join(lines) + "\n"
+
+
 def controls(tree):
     """Returns the page's JSON for the controls of materials, or of boards."""
     return ",\n".join(json.dumps({"name": option, "kind": kind, "min": usual[0], "max": usual[1],
@@ -102,6 +113,7 @@ def made(shader, in_wgsl):
     before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
     yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
+    yield ROOT / "host" / "render" / "request" / "material_rows.inc", material_rows(trees["gabor_materials"])
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}

@@ -84,8 +84,9 @@ std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path,
                                          std::span<const unsigned char> memory);
 /// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
-/// Reads a TIFF's first picture: one channel of floats, or of 16-bit integers, which are heights if they are
-/// signed or the file is a GeoTIFF, and which the reader otherwise returns as values from 0 to 1.
+/// Reads a TIFF's first picture: one channel, or red, green and blue, of floats or of 8-bit or 16-bit
+/// integers, which are heights if they are signed or the file is a GeoTIFF, and which the reader otherwise
+/// returns as values from 0 to 1.
 std::unique_ptr<PictureReader> open_tiff(const std::filesystem::path& path);
 /// Opens a file of heights without a header, row by row from the top, low byte first. The heights are 16-bit
 /// integers, which the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws

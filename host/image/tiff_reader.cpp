@@ -41,17 +41,23 @@ class TiffPicture : public PictureReader {
             refuse_picture(path_, fmt::format("it has {0} x {1} pixels; at most {2} x {2} are supported",
                                               width, height, widest_tiff));
         type_ = field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
-        if (field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) != 1 || type_ > SAMPLEFORMAT_IEEEFP ||
-            field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE) != 8 * value_bytes() ||
-            field<std::uint16_t>(TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK ||
+        bits_ = field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+        channels_ = field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+        const bool colour = channels_ == 3;
+        if ((channels_ != 1 && !colour) || !has_known_type() ||
+            field<std::uint16_t>(TIFFTAG_PHOTOMETRIC) !=
+                (colour ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK) ||
+            field<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG ||
             field<std::uint16_t>(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
-            refuse_picture(path_, "expected a TIFF with one channel of 16-bit integers or 32-bit floats, "
-                                  "from black to white and from the upper left corner");
+            refuse_picture(path_,
+                           "expected a TIFF with one channel, from black to white, or with interleaved red, "
+                           "green and blue, of 8-bit or 16-bit integers or 32-bit floats, from the upper "
+                           "left corner");
 
         const auto pixel = fields<double>(pixel_scale_tag, TIFF_DOUBLE);
         levels_ = type_ == SAMPLEFORMAT_UINT && pixel.empty();
-        Format format{static_cast<int>(width),      static_cast<int>(height), 1, false,
-                      type_ == SAMPLEFORMAT_IEEEFP, levels_ ? 16 : 32};
+        Format format{static_cast<int>(width),      static_cast<int>(height), channels_, false,
+                      type_ == SAMPLEFORMAT_IEEEFP, levels_ ? bits_ : 32};
         if (!pixel.empty() && pixel[0] > 0 && !in_degrees())
             format.extent = pixel[0] * width;
         const auto nodata = fields<char>(nodata_tag, TIFF_ASCII);
@@ -66,7 +72,7 @@ class TiffPicture : public PictureReader {
             tile_height_ = field<std::uint32_t>(TIFFTAG_TILELENGTH);
         }
         const std::uint64_t across = (width + std::uint64_t{tile_width_} - 1) / tile_width_;
-        if (tile_height_ > most_bytes / (across * tile_width_ * value_bytes()))
+        if (tile_height_ > most_bytes / (across * tile_width_ * pixel_bytes()))
             refuse_picture(path_, fmt::format("a row of its tiles takes more than {} MiB", most_bytes >> 20));
         tiles_.resize(across * tile_bytes());
     }
@@ -78,6 +84,8 @@ class TiffPicture : public PictureReader {
             convert<float>(row, 1);
         else if (type_ == SAMPLEFORMAT_INT)
             convert<std::int16_t>(row, 1);
+        else if (bits_ == 8)
+            convert<std::uint8_t>(row, levels_ ? 255 : 1);
         else
             convert<std::uint16_t>(row, levels_ ? 65535 : 1);
         ++row_;
@@ -124,8 +132,19 @@ class TiffPicture : public PictureReader {
         return false;
     }
 
-    std::size_t value_bytes() const { return type_ == SAMPLEFORMAT_IEEEFP ? 4 : 2; }
-    std::size_t tile_bytes() const { return value_bytes() * tile_width_ * tile_height_; }
+    bool has_known_type() const {
+        switch (type_) {
+        case SAMPLEFORMAT_UINT:
+            return bits_ == 8 || bits_ == 16;
+        case SAMPLEFORMAT_INT:
+            return bits_ == 16;
+        default:
+            return type_ == SAMPLEFORMAT_IEEEFP && bits_ == 32;
+        }
+    }
+
+    std::size_t pixel_bytes() const { return static_cast<std::size_t>(channels_ * bits_ / 8); }
+    std::size_t tile_bytes() const { return pixel_bytes() * tile_width_ * tile_height_; }
 
     // Reads the row of tiles that starts here; in strips, a row of pixels.
     void read_tiles() {
@@ -138,12 +157,12 @@ class TiffPicture : public PictureReader {
 
     template <typename Value>
     void convert(std::span<float> row, float white) {
-        const std::byte* line = &tiles_[row_ % tile_height_ * tile_width_ * sizeof(Value)];
-        fill(row, [&, x = std::size_t{0}]() mutable {
+        const std::size_t across = tile_width_ * static_cast<std::size_t>(channels_); // values
+        const std::byte* line = &tiles_[row_ % tile_height_ * across * sizeof(Value)];
+        fill(row, [&, i = std::size_t{0}]() mutable {
             Value value;
-            std::memcpy(&value, line + x / tile_width_ * tile_bytes() + x % tile_width_ * sizeof value,
-                        sizeof value);
-            ++x;
+            std::memcpy(&value, line + i / across * tile_bytes() + i % across * sizeof value, sizeof value);
+            ++i;
             return static_cast<float>(value) / white;
         });
     }
@@ -152,6 +171,8 @@ class TiffPicture : public PictureReader {
     std::string error_; // libtiff's last message
     std::unique_ptr<TIFF, void (*)(TIFF*)> tiff_{nullptr, TIFFClose};
     std::uint16_t type_ = 0;
+    std::uint16_t bits_ = 0; // of a value
+    std::uint16_t channels_ = 0;
     bool levels_ = false; // whether values stand for 0 to 1
     std::uint32_t tile_width_ = 0;
     std::uint32_t tile_height_ = 1;

@@ -298,6 +298,14 @@ class Erode(ProgramTest):
             levels.save(self.folder / "map.tif", compression=compression, tiffinfo={317: 2})  # differences
             np.testing.assert_allclose(base("--elevation=0,65535"), values + 1000, rtol=1e-6, err_msg=compression)
 
+    def test_tiffs_of_bytes_and_of_equal_colours(self):
+        bytes_ = np.round(200 * hills(96, 70)).astype("u1")
+        for values in (bytes_, np.repeat(bytes_[..., None], 3, 2)):
+            write_tiff(self.folder / "map.tif", values, (32, 16) if values.ndim == 3 else None)
+            result = gabor("erode", "map.tif", "--octaves=0", "--extent=8", "--elevation=0,255", "-o", "out.exr", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, "gabor: warning: 'map.tif' has 8 bits per height: its steps show as terraces\n"))
+            np.testing.assert_allclose(Exr(self.folder / "out.exr").channels["height"], bytes_, atol=1e-4)
+
     def test_geotiffs_state_their_extent_and_missing_heights(self):
         metres, degrees = ("H", 1, 1, 0, 1, 1024, 0, 1, 1), ("H", 1, 1, 0, 1, 1024, 0, 1, 2)
         values = np.round(3000 * self.map[:, :90])
@@ -406,8 +414,8 @@ class Erode(ProgramTest):
         write_tiff(self.folder / "map.tif", self.map, (16, 16), True)
         (self.folder / "cut.tif").write_bytes((self.folder / "map.tif").read_bytes()[:-100])
         (self.folder / "damaged.tif").write_bytes((self.folder / "map.tif").read_bytes().replace(b"\x78\x9c", b"\x78\x9d"))
-        write_tiff(self.folder / "bytes.tif", np.ones((4, 4), "u1"))
-        write_tiff(self.folder / "colours.tif", np.ones((4, 4), "<u2"), t277=("H", 3))
+        write_tiff(self.folder / "bytes.tif", np.ones((4, 4), "i1"))
+        write_tiff(self.folder / "colours.tif", np.ones((4, 4), "<u2"), t277=("H", 2))
         for name, tag in ("inverted", {"t262": ("H", 0)}), ("turned", {"t274": ("H", 3)}), ("untyped", {"t339": ("H", 4)}):
             write_tiff(self.folder / f"{name}.tif", np.ones((4, 4), "<u2"), **tag)
         write_tiff(self.folder / "long.tif", np.ones((100000, 4), "<u2"))
@@ -447,7 +455,7 @@ class Erode(ProgramTest):
             ("--extent",): ("map.exr", "--extent=0", "-o", "out.exr"),
             ("'cut.tif'", "truncated"): ("cut.tif", "-o", "out.exr"),
             ("'damaged.tif'", "damaged"): ("damaged.tif", "-o", "out.exr"),
-            ("'bytes.tif'", "16-bit integers or 32-bit floats"): ("bytes.tif", "-o", "out.exr"),
+            ("'bytes.tif'", "8-bit or 16-bit integers or 32-bit floats"): ("bytes.tif", "-o", "out.exr"),
             ("'colours.tif'", "one channel"): ("colours.tif", "-o", "out.exr"),
             ("'inverted.tif'", "from black to white"): ("inverted.tif", "-o", "out.exr"),
             ("'turned.tif'", "upper left corner"): ("turned.tif", "-o", "out.exr"),

@@ -36,7 +36,7 @@ class Help(ProgramTest):
                               "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--water-level", "--boards",
                               "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
                               "--light-azimuth", "--light-elevation", "--environment", *FRACTAL),
-                   "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--half",
+                   "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--float",
                             "--compression", "--device", "--material", "--boards", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover", "--water-level"),
                    "texture": ("-o,--output", "--size", "--preset", "--like", "--region", "--level", "--half", "--frames", "--device", "--material",
                                "--boards", "--scale", "--recipe", "--frequency", "--orientation", "--frequency-spread", "--orientation-spread",

@@ -19,6 +19,7 @@ from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
+from tiff import write_tiff
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 DROP_INS = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_noise", "gabor_filter"))
@@ -170,6 +171,14 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertIn("colour", self.fit("rgba.png", "--lobes", "2"))
         self.assertNotIn("transparent", self.said)
         sixteen = self.fit("deep.png", "--lobes", "2")["colour"]
+        for kind, tile in (("u1", (64, 32)), ("<u2", None), (">u2", (16, 128))):
+            most = np.iinfo(kind).max
+            write_tiff(self.folder / "rgb.tif", np.rint(most * np.clip(exemplar, 0, 1)).astype(kind), tile, deflate=tile is None)
+            colour = self.fit("rgb.tif", "--lobes", "2")["colour"]
+            if kind == "u1":
+                np.testing.assert_allclose(colour["mixing"], sixteen["mixing"], atol=2e-3)
+            else:
+                self.assertEqual(colour, sixteen)
         write_png(self.folder / "deep.png", exemplar, bits=16, interlaced=True)
         self.assertEqual(self.fit("deep.png", "--lobes", "2")["colour"], sixteen)
         grey = self.fit("grey.png", "--lobes", "2")

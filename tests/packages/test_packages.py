@@ -28,7 +28,7 @@ from scene import ROOT, SHADERS, in_cpp, printed  # noqa: E402
 from version import VERSION  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-MATERIALS = "wood", "fabric", "leather", "marble", "sand", "brushed_metal", "scratches", "zebra", "bark", "carbon_fibre", "strata"
+MATERIALS = re.findall(r" gabor_(\w+)_default\(\) {", (ROOT / "shaders/gabor_materials.glsl").read_text())
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
 MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
@@ -789,7 +789,7 @@ class Release(Folder):
         super().setUp()
         repository(self.folder, filter(re.compile(
             "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|README.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-            "host/lab/passes/bench/|host/render/request/struct_rows|host/render/request/presets/)").match, tracked(ROOT)))
+            "host/lab/passes/bench/|host/render/request/(?:struct|material)_rows|host/render/request/presets/)").match, tracked(ROOT)))
 
     def release(self, *arguments):
         return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)
