@@ -350,7 +350,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
         for words, image in ((["narrow.png", "96 x 160", "128 x 128"], "narrow.png"), (["constant.png", "no texture"], "constant.png"),
                              (["trend.png", "no texture"], "trend.png"), (["cut.png"], "cut.png"),
-                             (["video.mp4", "PNG, JPEG, TGA, TIFF or OpenEXR"], "video.mp4"),
+                             (["video.mp4", "PNG, JPEG, TGA, TIFF, OpenEXR, .npy or .asc"], "video.mp4"),
                              (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):
             self.assert_refused(words, "fit", image, "-o", "fit.json")
         for words, options in ((["--lobes", "1 to 16"], ["--lobes", "17"]), (["--lobes", "1 to 16"], ["--lobes", "x"]),
