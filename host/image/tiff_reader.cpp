@@ -107,6 +107,7 @@ class TiffPicture : public PictureReader {
     static int on_error(TIFF*, void* error, const char*, const char* format, std::va_list values) {
         std::array<char, 256> text{};
         std::vsnprintf(text.data(), text.size(), format, values);
+        std::ranges::replace(text, '\n', ' ');
         *static_cast<std::string*>(error) = text.data();
         return 1; // handled
     }
