@@ -81,7 +81,8 @@ class Golden(ProgramTest):
         write_exr(self.folder / "map.exr", {"Y": heights / 1024})
         for options in EROSIONS:
             self.succeed("erode", "map.exr", "-o", "out.exr", f"--nodata={-9999 / 1024}", *options.split())
-            yield f"erode {options}: all", np.hstack([*Exr(self.folder / "out.exr").channels.values()])
+            channels = Exr(self.folder / "out.exr").channels
+            yield f"erode {options}: all", np.hstack([channels[name] for name in ("erosion", "Y", "ridge", "slope.x", "slope.y")])
 
     def test_pixels_match_this_version(self):
         if os.environ.get("GABOR_GOLDEN") == "write":

@@ -33,7 +33,7 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--water-level", "--boards",
+                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--full-range", "--elevation", "--extent", "--cover", "--water-level", "--boards",
                               "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
                               "--light-azimuth", "--light-elevation", "--environment", *FRACTAL),
                    "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--float",
@@ -43,7 +43,7 @@ class Help(ProgramTest):
                                "--lobes", "--seed", "--evolution", "--paint", "--gradient", "--phasor", "--view", "--tileable", "--light-azimuth",
                                "--light-elevation", "--environment", *FRACTAL),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
-                             "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
+                             "--gully-width", "--nodata", "--byte-order", "--encoding", "--full-range", "--offset", "--steepness", "--relief", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}

@@ -293,6 +293,7 @@ class Compression(RenderTest):
         self.assert_refused(["unknown '--compression=zip'"], "texture", "-o", "out.exr", "--size=64x64", "--compression=zip")
         for command in (["render"], ["erode", "map.exr"]):
             self.assert_refused(["--compression requires an EXR"], *command, "-o", "out.png", "--compression=zip")
+        self.assert_refused(["--compression 'piz'", "none or zip for a TIFF"], "erode", "map.exr", "-o", "out.tif", "--compression=piz")
 
 
 class Messages(RenderTest):

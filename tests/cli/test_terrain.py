@@ -108,7 +108,7 @@ class Terrain(ProgramTest):
 
     def test_wrong_requests(self):
         for options, words in (([], ["--output is missing", "-o"]), (["-o", "a.tif"], ["a.tif", ".exr"]),
-                               (["--write-heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
+                               (["--write-heightmap", "a.tga"], ["a.tga", ".png, .r16, .raw, .r32, .exr, .tif or .tiff"]),
                                (["--png", "a.png", "--write-heightmap", "a.png"], ["--png and --write-heightmap both name 'a.png'"]),
                                (["-o", "a.png", "--write-heightmap", "./a.png"], ["-o and --write-heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),

@@ -437,11 +437,21 @@ class Erosion(unittest.TestCase):
 
     def test_a_map_is_smoothed_alike_along_both_axes(self):
         for tileable in False, True:
-            (surface, slope), (turned, turned_slope) = (smoothed(each, 5.0, tileable) for each in (self.HILLS[:90, :200], self.HILLS[:90, :200].T))
+            (surface, slope), (turned, turned_slope) = (smoothed(each, 5.0, 1.0, tileable) for each in (self.HILLS[:90, :200], self.HILLS[:90, :200].T))
             self.assertAlmostEqual(slope, turned_slope, delta=1e-12)
             self.assertAlmostEqual(slope, np.hypot(surface[1].std(), surface[2].std()), delta=0.1 * slope)
             for one, other in zip(surface, (turned[k].T for k in (0, 2, 1, 5, 4, 3))):
                 np.testing.assert_allclose(one, other, rtol=0, atol=1e-12)
+
+    def test_pixels_may_be_higher_than_wide(self):
+        whole = gn.erode(self.HILLS, 8, seed=5, dtype=np.float64)
+        pairs = lambda values: (values[::2] + values[1::2]) / 2
+        tall = gn.erode(pairs(self.HILLS), (8, 8), seed=5, dtype=np.float64)
+        for channel in range(3):
+            error = (tall - pairs(whole))[2:-2, 2:-2, channel].std() / pairs(whole)[..., channel].std()
+            self.assertLess(error, (0.01, 0.1, 0.1)[channel], f"channel {channel}")
+        with self.assertRaisesRegex(ValueError, "extent"):
+            gn.erode(self.HILLS, (8, 8, 8))
 
     def test_without_octaves_the_map_stays(self):
         for tileable in (False, True):

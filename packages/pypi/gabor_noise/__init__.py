@@ -337,13 +337,13 @@ _SLOPE = 0.637  # rms, of the hills of `terrain`, for which parameters are chose
 _OF_MAPS = {"gully_frequency": 1.5, "strength": 0.15, "onset_slope": 2 * _SLOPE, "detail": 2.5, "uniformity": 2.5, "crease_rounding": 0.4}
 
 
-def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None, tileable: bool = False, seed: ArrayLike = 0,
+def erode(heights: ArrayLike, extent: ArrayLike, *, gully_width: float | None = None, tileable: bool = False, seed: ArrayLike = 0,
           workers: int | None = None, dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
     axis of 4. Gullies follow the map smoothed to their scale. Parameters and defaults are those of `gabor erode`.
 
     heights: an array of at least 3 x 3 heights.
-    extent: the map's width, in the unit of its heights.
+    extent: the map's width, or its width and height, in the unit of its heights.
     gully_width: width of the widest gullies, in the unit of extent, in place of gully_frequency.
     tileable: the map tiles without seams, and so does the result.
     erosion: for any map, these parameters mean what they mean for one that is 8 units wide with an rms slope of 0.637, that of the
@@ -353,7 +353,11 @@ def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None
     here = numbers("heights", heights)
     if here.ndim != 2 or min(here.shape) < 3:
         raise refuse("heights", here, "an array of at least 3 x 3 heights")
-    pixel, unit = 8 / here.shape[1], number("extent", extent) / 8
+    sides = numbers("extent", extent).ravel()
+    if sides.size not in (1, 2) or not np.all(sides > 0):
+        raise refuse("extent", extent, "a width above 0, or a width and a height")
+    tall = sides[-1] / sides[0] * here.shape[1] / here.shape[0] if sides.size == 2 else 1.0
+    pixel, unit = 8 / here.shape[1], float(sides[0]) / 8
     if gully_width is not None:
         if "gully_frequency" in erosion:
             raise TypeError("erode() takes gully_width or gully_frequency, not both")
@@ -361,21 +365,22 @@ def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None
     chosen = {**_OF_MAPS, **erosion}
     members("terrain", chosen, "erode()")
     frequency = number("gully_frequency", chosen["gully_frequency"])
-    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tileable)
+    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tall, tileable)
     steepness = _SLOPE / (slope / (pixel * unit)) if slope > 0 else 1.0
     if "strength" not in erosion:
         octaves, gain, weight = (float(np.max(chosen.get(name, MEMBERS["terrain"][name].default))) for name in ("octaves", "gain", "gully_weight"))
         most = _OF_MAPS["strength"] / frequency * sum(gain**k for k in range(int(octaves))) * weight * unit / steepness
         chosen["strength"] = _OF_MAPS["strength"] * min(1.0, np.ptp(here) / 8 / most if most > 0 else 1.0)
-    scaled = [each * (steepness / unit / pixel**order) for each, order in zip(surface, (0, 1, 1, 2, 2, 2))]
+    scaled = [each * (steepness / unit / pixel**order / tall**down) for each, order, down in zip(surface, (0, 1, 1, 2, 2, 2), (0, 0, 1, 0, 1, 2))]
     x, y = grid(here.shape, 1 / pixel)
+    y = y * tall
     base = np.stack([*scaled[:3], np.zeros_like(here), *scaled[3:]], -1)
-    period = (8, pixel * here.shape[0]) if tileable else None
-    terrain_there = terrain(x, y, base, pixel_size=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **chosen)
+    period = (8, pixel * tall * here.shape[0]) if tileable else None
+    terrain_there = terrain(x, y, base, pixel_size=(pixel, pixel * tall), seed=seed, period=period, workers=workers, dtype=np.float64, **chosen)
     result = np.empty(terrain_there.shape, float)
     result[..., 0] = here + (terrain_there[..., 0] - scaled[0]) * (unit / steepness)
-    for channel, own in zip((1, 2), sobel(here, tileable)):
-        result[..., channel] = own / (pixel * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
+    for channel, size, own in zip((1, 2), (1, tall), sobel(here, tileable)):
+        result[..., channel] = own / (pixel * size * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
     result[..., 3] = terrain_there[..., 3]
     return result.astype(dtype, copy=False)
 
