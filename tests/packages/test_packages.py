@@ -328,11 +328,6 @@ class Module(Folder):
 class Pypi(Package, Python):
     """Uses the wheel, which real nanobind binds, in a new virtual environment. tools/test-engines python runs this test."""
 
-    def setUp(self):
-        # The default flags would take several times as long to compile.
-        os.environ |= {"CXXFLAGS": "-DGABOR_INLINE=inline", "CMAKE_ARGS": "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON"}
-        super().setUp()
-
     def test_wheel_has_the_shaders_values(self):
         run(sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", self.folder / "venv")
         python = self.folder / "venv" / "bin" / "python"

@@ -50,7 +50,7 @@ class Movie(Sequence[NDArray[np.float32]]):
 
 
 def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwidth: float = 1.0, orientation: float = 0.0,
-          orientation_bandwidth: float | None = 0.5, drift_per_frame: float = 1.0, contrast: float = 1.0, seed: int = 0,
+          orientation_bandwidth: float | None = 0.5, drift_per_frame: float = 1.0, contrast: float = 1.0, seed: int | np.random.Generator = 0,
           pixels_per_degree: float | None = None, workers: int | None = None) -> Movie:
     """Return a movie of noise that drifts along `orientation`: float32 arrays of this shape, by index or in a loop. At each pixel and
     frame, the values of all seeds are normally distributed with mean 0 and standard deviation `contrast`. Frames are computed when
