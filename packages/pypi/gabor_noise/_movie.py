@@ -87,7 +87,8 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     lobes = [(float(f), float(towards + angle), float(_LOBE / (lobe * f)), float(share * part))
              for f, share in zip(peak * np.exp(logarithms), shares) for angle, part in zip(angles, parts)]
     pixels = number("drift_per_frame", drift_per_frame) * unit
-    if np.ndim(seed):
+    drawn = seeds("seed", seed)
+    if drawn.ndim:
         raise refuse("seed", seed, "an integer of 32 bits")
     return Movie(sides(shape, 2), count("frames", frames), lobes, (pixels * math.cos(towards), pixels * math.sin(towards)),
-                 number("contrast", contrast), int(seeds("seed", seed)), cores_of(workers))
+                 number("contrast", contrast), int(drawn), cores_of(workers))
