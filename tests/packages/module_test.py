@@ -280,6 +280,28 @@ class Calls(unittest.TestCase):
         self.assertEqual(gn.noise_gradient(np.zeros((3, 1)), np.zeros(2)).shape, (3, 2, 3))
         np.testing.assert_array_equal(gn.noise(np.arange(9)[::-2], 0), gn.noise([8, 6, 4, 2, 0], 0))
 
+    def test_generators_draw_a_seed(self):
+        drawn = np.random.default_rng(5).integers(2**32, size=2)
+        self.assertNotEqual(*drawn)
+        for call in (lambda seed: gn.image((4, 4), seed=seed), lambda seed: gn.image((4, 4), isotropic=True, seed=seed),
+                     lambda seed: gn.noise_lobes(1, 2, [(1,), (2,)], seed=seed), lambda seed: gn.fbm(1, 2, seed=seed),
+                     lambda seed: gn.erode(np.eye(8), 8, seed=seed), lambda seed: np.stack(gn.warp(1, 2, strength=1.0, seed=seed)),
+                     lambda seed: gn.volume((2, 2, 2), seed=seed), lambda seed: gn.water_height(1, 2, seed=seed),
+                     lambda seed: gn.movie((4, 4), 2, seed=seed)[1]):
+            generator = np.random.default_rng(5)
+            for seed in drawn:  # the second call goes on where the first one stopped
+                np.testing.assert_array_equal(call(generator), call(int(seed)))
+
+    def test_masked_elements_are_refused(self):
+        x = np.ma.masked_greater(np.arange(4.0), 2)
+        for name, call in (("x", lambda: gn.noise(x, 0)), ("seed", lambda: gn.image((4, 4), seed=x.astype(int))),
+                           ("heights", lambda: gn.erode(np.ma.masked_equal(np.eye(4), 0), 8)), ("wave_x", lambda: gn.stripes(0, 0, x, 1)),
+                           ("pixel_size", lambda: gn.noise_filtered(0, 0, (x[3], 0.1))), ("period", lambda: gn.noise(0, 0, period=x[2:])),
+                           ("lobes[0]: orientation", lambda: gn.noise_lobes(0, 0, [(1, x)])), ("rings", lambda: gn.material("wood", 0, 0, rings=x))):
+            with self.assertRaisesRegex(ValueError, re.escape(f"{name} has masked elements: expected none")):
+                call()
+        np.testing.assert_array_equal(gn.noise(np.ma.array([1.0, 2.0]), 0), gn.noise([1, 2], 0))  # nothing is masked
+
     def test_other_threads_run_meanwhile(self):
         started = threading.Event()
 

@@ -12,11 +12,12 @@ number or an array, from -10^9 to 10^9 for positions. Positions and parameters b
 positions are; those of materials get coarser far from the origin.
 
 All functions take these keywords:
-    seed     an integer of 32 bits; different seeds give independent noises
+    seed     an integer of 32 bits; different seeds give independent noises. A numpy.random.Generator draws one
     period   units after which the pattern repeats exactly, one number or one for each axis; 0 or None for no repetition
     workers  the number of cores to use, without holding the GIL; None for all
     dtype    of the result: float32, in which values are computed, or float64
-They raise ValueError for a value out of its range and for shapes that do not broadcast, and TypeError for an unknown keyword.
+They raise ValueError for a value out of its range, masked elements and shapes that do not broadcast, and TypeError for an unknown
+keyword.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
+from ._arguments import MEMBERS, Seed, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
@@ -57,7 +58,7 @@ def _axes(shape: Sequence[int], scale: float, *dimensions: int) -> tuple[NDArray
 
 def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
           isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
-          lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
+          lobes: Sequence[Lobe] | None = None, seed: Seed = 0, period: ArrayLike | None = None,
           evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a picture of noise, with one value per pixel: mean 0, variance 1.
 
@@ -81,7 +82,7 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+           seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise in 3D, with one value per voxel: mean 0, variance 1.
 
@@ -96,7 +97,7 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
 
 # ---- Noise ---------------------------------------------------------------------------------------------------------
 
-def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
           period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
@@ -109,14 +110,14 @@ def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation
     return evaluate("noise", locals())
 
 
-def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
                    period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
     return evaluate("gradient", locals())
 
 
-def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
                   period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, quadrature) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
@@ -124,7 +125,7 @@ def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, 
     return evaluate("quadrature", locals())
 
 
-def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
+def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: Seed = 0,
                     period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of waves in all directions, at the same cost for every frequency. Arguments are those of `noise`."""
@@ -132,7 +133,7 @@ def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, s
 
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                 frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
+                 frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: Seed = 0,
                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of a range of waves, a sum of up to 1024 noises: of 10 for all directions at frequency 2.
@@ -153,7 +154,7 @@ class Lobe(NamedTuple):
     power: ArrayLike = 1.0  # power relative to the other lobes, 0 or more
 
 
-def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
+def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: Seed = 0, period: ArrayLike | None = None,
                 evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
     deviation of 1/sqrt(12) / radius cycles per unit.
@@ -186,7 +187,7 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
 
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                   seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
+                   seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                    workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
@@ -197,7 +198,7 @@ def noise_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, frequen
 
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-             seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+             seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
              dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
@@ -212,7 +213,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
     return evaluate("3d", locals())
 
 
-def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
+def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: Seed = 0,
             period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
             dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
@@ -236,7 +237,7 @@ def _words(given: Mapping[str, Any]) -> list[NDArray[np.float64]]:
 
 def fbm(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
         basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-        seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+        seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
         dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of octaves of noise at (x, y): mean 0, variance 1 at every point.
 
@@ -254,7 +255,7 @@ def fbm(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike
 
 def fbm_gradient(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
                  basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm",
-                 turn: ArrayLike = _TURN, seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
+                 turn: ArrayLike = _TURN, seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                  workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `fbm`."""
     return evaluate("fractal_gradient", locals(), _words(locals()), _PERIOD)
@@ -262,7 +263,7 @@ def fbm_gradient(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: 
 
 def fbm_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5,
                  lacunarity: ArrayLike = 2.0, basis: Literal["smooth", "perlin"] = "smooth",
-                 shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN, seed: ArrayLike = 0,
+                 shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN, seed: Seed = 0,
                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
@@ -275,14 +276,14 @@ def fbm_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, octaves: 
 
 def fbm_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
            basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+           seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of octaves of noise at (x, y, z): mean 0, variance 1 at every point. Arguments are those of `fbm`; a period may
     have three numbers."""
     return evaluate("fractal_3d", locals(), _words(locals()), _PERIOD)
 
 
-def perlin(x: ArrayLike, y: ArrayLike, *, seed: ArrayLike = 0, workers: int | None = None,
+def perlin(x: ArrayLike, y: ArrayLike, *, seed: Seed = 0, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise that replaces Perlin and simplex noise: mean 0, variance 1 at every point. x and y are in the cells of Perlin noise,
     so both have the same size; to match its contrast, multiply by 0.25 to 0.3."""
@@ -291,7 +292,7 @@ def perlin(x: ArrayLike, y: ArrayLike, *, seed: ArrayLike = 0, workers: int | No
 
 def warp(x: ArrayLike, y: ArrayLike, *, strength: ArrayLike, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
          basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-         seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+         seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
          dtype: DTypeLike = np.float64) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the coordinates (x, y), moved along two noises, at which any noise shows marble, smoke or swirls.
 
@@ -311,7 +312,7 @@ def uniform(noise: ArrayLike, *, workers: int | None = None, dtype: DTypeLike = 
 
 # ---- Terrain -------------------------------------------------------------------------------------------------------
 
-def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
+def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: Seed = 0,
             period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
             **erosion: ArrayLike) -> NDArray[Any]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
@@ -337,7 +338,7 @@ _SLOPE = 0.637  # rms, of the hills of `terrain`, for which parameters are chose
 _OF_MAPS = {"gully_frequency": 1.5, "strength": 0.15, "onset_slope": 2 * _SLOPE, "detail": 2.5, "uniformity": 2.5, "crease_rounding": 0.4}
 
 
-def erode(heights: ArrayLike, extent: ArrayLike, *, gully_width: float | None = None, tileable: bool = False, seed: ArrayLike = 0,
+def erode(heights: ArrayLike, extent: ArrayLike, *, gully_width: float | None = None, tileable: bool = False, seed: Seed = 0,
           workers: int | None = None, dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
     axis of 4. Gullies follow the map smoothed to their scale. Parameters and defaults are those of `gabor erode`.
@@ -387,7 +388,7 @@ def erode(heights: ArrayLike, extent: ArrayLike, *, gully_width: float | None = 
 
 # ---- Materials -----------------------------------------------------------------------------------------------------
 
-def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
+def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0.0, seed: Seed = 0,
              period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
              **parameters: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return a material, as a dict of arrays: colour (red, green and blue along a last axis of 3; linear, 0 to 1), height, slope
@@ -413,7 +414,7 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 
 def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
           fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-          loop_seconds: ArrayLike = 0, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
+          loop_seconds: ArrayLike = 0, pixel_size: ArrayLike = 0.0, seed: Seed = 0, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; jacobian, of (x, y) + shift by (x, y): 1 at
@@ -439,7 +440,7 @@ def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLi
 
 def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
                  fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-                 loop_seconds: ArrayLike = 0, seed: ArrayLike = 0, workers: int | None = None,
+                 loop_seconds: ArrayLike = 0, seed: Seed = 0, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
     return evaluate("water_height", locals())
