@@ -255,7 +255,7 @@ float sunlight_at(Ground ground, vec3 at, float pixel) {
     vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04, stride;
     for (int i = 0; i < 80 && light > 0.0 && at.y + t * sun.y < 1.7 + ground.reach; ++i) {
-        float above = height_above(ground, at + t * sun, 0.15, t / 12.0, stride);
+        float above = height_above(ground, at + t * sun, 0.08, t / 12.0, stride);
         light = min(light, 0.5 + 12.0 * above / t);
         t += max(stride, max(2.0 * pixel, 0.006 + 0.025 * t)); // longer steps would jump over ridges and make shadows ragged
     }
