@@ -150,7 +150,7 @@ vec3 rough_normal(Ground ground, Site site) {
 
 // The colour of sunlight, which is warm where the sun is low: the air takes more blue than red.
 vec3 sun_colour(vec3 sun) {
-    return 2.9 * exp(-vec3(0.13, 0.2, 0.34) / (sun.y + 0.06));
+    return 3.2 * exp(-vec3(0.12, 0.2, 0.37) / (sun.y + 0.06));
 }
 
 vec3 sunlit(vec3 sun, GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {
@@ -182,7 +182,7 @@ vec3 sky_along(Ground ground, vec3 ray, float wide) {
 
 // Brings light to the range of a screen. After Narkowicz, ACES filmic tone mapping curve, 2016.
 vec3 exposed(vec3 light) {
-    vec3 c = 0.75 * light;
+    vec3 c = 0.8 * light;
     return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
 }
 
