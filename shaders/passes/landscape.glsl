@@ -33,7 +33,7 @@ GaborFractal octaves_of(float octaves, float gain, int shape) {
 
 Site site_at(Ground ground, GaborTerrain here, vec2 p, vec2 dx, vec2 dy) {
     vec2 rise = vec2(dot(here.slope, dx), dot(here.slope, dy)), up = vec2(0.35, -0.5); // noise that moves with the height has no streaks on cliffs
-    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(7.0, 0.62), 2);
+    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(9.0, 0.6), 2);
     fine.gradient += dot(fine.gradient, up) * here.slope;
     return Site(here, length(here.slope), p, dx, dy, length(rise), fine, noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
 }
