@@ -28,7 +28,7 @@ std::vector<Group> grouped_presets() {
     std::vector<Group> groups{{"Wood and bark", {"wood", "bark"}},
                               {"Cloth, fabric and fibre", {"fabric", "carbon-fibre"}},
                               {"Leather, skin and fur", {"leather", "zebra"}},
-                              {"Metal, paint and ice", {"brushed-metal", "scratches"}},
+                              {"Metal and paint", {"brushed-metal", "scratches"}},
                               {"Stone and sand", {"marble", "strata", "sand"}},
                               {"Snowy mountains, hills and canyons", {"landscape"}},
                               {"Seas and lakes", {"ocean"}}};

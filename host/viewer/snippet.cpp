@@ -293,13 +293,14 @@ std::string material_snippet(const View& view) {
 
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
-    return includes({"noise", "erosion", "fractal"}) + shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
+    return includes({"noise", "erosion", "fractal"}) +
+           shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
                 "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
                 "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
                 head(view, "vec3 colour"), members_of(view, render::Parameter::Group::erosion), push.cell.x,
-                push.cell.y, push.period, push.seed, push.reach, push.sun, view.request.cover, push.water, push.corner,
-                push.distance, push.yaw, push.pitch, push.center, push.pixel);
+                push.cell.y, push.period, push.seed, push.reach, push.sun, view.request.cover, push.water,
+                push.corner, push.distance, push.yaw, push.pitch, push.center, push.pixel);
 }
 
 std::string sea_snippet(const View& view) {

@@ -17,7 +17,7 @@ vec3 normal_of(GaborTerrain here) {
 struct Site {
     GaborTerrain here;
     float steep;
-    vec2 p;
+    vec2 place;
     vec2 dx;
     vec2 dy;
     float span;              // of height in the pixel
@@ -33,7 +33,7 @@ GaborFractal octaves_of(float octaves, float gain, int shape) {
 
 Site site_at(Ground ground, GaborTerrain here, vec2 p, vec2 dx, vec2 dy) {
     vec2 rise = vec2(dot(here.slope, dx), dot(here.slope, dy)), up = vec2(0.35, -0.5); // noise that moves with the height has no streaks on cliffs
-    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(7.0, 0.62), 2);
+    GaborFractalNoise fine = noise_on(ground, p + up * here.height, dx + up * rise.x, dy + up * rise.y, 6.0, gabor_fractal(9.0, 0.6), 2);
     fine.gradient += dot(fine.gradient, up) * here.slope;
     return Site(here, length(here.slope), p, dx, dy, length(rise), fine, noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
 }
@@ -46,7 +46,7 @@ float layers(float height, float turns, float span) {
 
 // Trees as seen from afar: crowns with dark gaps. Returns the colour and the share of the ground that they hide.
 vec4 trees(Ground ground, Site site, float dense) {
-    GaborFractalNoise crowns = noise_on(ground, site.p, site.dx, site.dy, 70.0, octaves_of(3.0, 0.7, GABOR_BILLOW), 4);
+    GaborFractalNoise crowns = noise_on(ground, site.place, site.dx, site.dy, 70.0, octaves_of(3.0, 0.7, GABOR_BILLOW), 4);
     float bare = 1.6 - 3.2 * dense - 0.5 * site.broad - 0.6 * site.fine.noise, soft = 0.35 + 1.2 * crowns.removed;
     vec3 colour = mix(vec3(0.012, 0.023, 0.012), vec3(0.04, 0.056, 0.022), smoothstep(-1.4, 1.8, crowns.noise + 0.5 * site.fine.noise));
     return vec4(colour, smoothstep(bare - soft, bare + soft, crowns.noise) * smoothstep(0.02, 0.2, dense));
@@ -55,7 +55,7 @@ vec4 trees(Ground ground, Site site, float dense) {
 vec3 alpine_colour(Ground ground, Site site) {
     GaborTerrain here = site.here;
     float n = site.fine.noise, broad = site.broad, height = here.height + 0.05 * n + 0.05 * broad;
-    float bed = here.height + 0.05 * broad + 0.05 * dot(site.p, vec2(0.6, 0.8)) + 0.006 * n; // beds dip
+    float bed = here.height + 0.05 * broad + 0.05 * dot(site.place, vec2(0.6, 0.8)) + 0.006 * n; // beds dip
     float stripes = 0.6 * layers(bed, 9.0, site.span) + 0.4 * layers(bed, 23.0, site.span);
     vec3 rock = mix(vec3(0.115, 0.11, 0.108), vec3(0.245, 0.22, 0.19), smoothstep(-2.2, 2.2, broad + n));
     rock *= 1.0 + 0.16 * stripes;
@@ -75,7 +75,7 @@ vec3 alpine_colour(Ground ground, Site site) {
 
 // Fields of many sizes, whose edges follow a noise: a colour for each, and dark hedges between.
 vec3 field_colour(Ground ground, Site site) {
-    vec2 q = 3.2 * vec2(0.8 * site.p.x + 0.6 * site.p.y, 0.8 * site.p.y - 0.6 * site.p.x) + 0.3 * site.broad;
+    vec2 q = 3.2 * vec2(0.8 * site.place.x + 0.6 * site.place.y, 0.8 * site.place.y - 0.6 * site.place.x) + 0.3 * site.broad;
     q.x += 0.5 * gabor_uniform(float(int(gabor_derived_seed(ground.seed, int(floor(q.y)) + 4000) >> 8u)) / 4194304.0 - 2.0);
     vec2 cell = floor(q), inside = q - cell;
     uint word = gabor_derived_seed(gabor_derived_seed(ground.seed, int(cell.x) + 9000), int(cell.y));
@@ -118,7 +118,7 @@ vec3 desert_colour(Site site) {
 
 // Beds of clay, which dip and bend, above pale wash.
 vec3 badlands_colour(Site site) {
-    float n = site.fine.noise, bed = site.here.height + 0.1 * site.broad + 0.07 * dot(site.p, vec2(0.3, -0.95)) + 0.006 * n;
+    float n = site.fine.noise, bed = site.here.height + 0.1 * site.broad + 0.07 * dot(site.place, vec2(0.3, -0.95)) + 0.006 * n;
     float wide = layers(bed, 4.3, site.span), thin = layers(bed, 13.7, site.span);
     vec3 clay = mix(vec3(0.24, 0.125, 0.095), vec3(0.4, 0.34, 0.27), 0.5 + 0.3 * wide + 0.2 * thin);
     clay = mix(clay, vec3(0.2, 0.19, 0.175), 0.5 * smoothstep(0.3, 0.9, layers(bed + 0.3, 2.1, site.span)));
@@ -150,7 +150,7 @@ vec3 rough_normal(Ground ground, Site site) {
 
 // The colour of sunlight, which is warm where the sun is low: the air takes more blue than red.
 vec3 sun_colour(vec3 sun) {
-    return 2.9 * exp(-vec3(0.13, 0.2, 0.34) / (sun.y + 0.06));
+    return 3.2 * exp(-vec3(0.12, 0.2, 0.37) / (sun.y + 0.06));
 }
 
 vec3 sunlit(vec3 sun, GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {
@@ -180,9 +180,9 @@ vec3 sky_along(Ground ground, vec3 ray, float wide) {
     return light + 12.0 * vec3(1.0, 0.85, 0.65) * smoothstep(0.99985, 0.99996, toward);
 }
 
-// Brings light to the range of a screen. After Narkowicz, "ACES filmic tone mapping curve", 2016.
+// Brings light to the range of a screen. After Narkowicz, ACES filmic tone mapping curve, 2016.
 vec3 exposed(vec3 light) {
-    vec3 c = 0.75 * light;
+    vec3 c = 0.8 * light;
     return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
 }
 
@@ -255,7 +255,7 @@ float sunlight_at(Ground ground, vec3 at, float pixel) {
     vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04, stride;
     for (int i = 0; i < 80 && light > 0.0 && at.y + t * sun.y < 1.7 + ground.reach; ++i) {
-        float above = height_above(ground, at + t * sun, 0.15, t / 12.0, stride);
+        float above = height_above(ground, at + t * sun, 0.08, t / 12.0, stride);
         light = min(light, 0.5 + 12.0 * above / t);
         t += max(stride, max(2.0 * pixel, 0.006 + 0.025 * t)); // longer steps would jump over ridges and make shadows ragged
     }

@@ -141,9 +141,9 @@ struct Request {
     bool boards = false; ///< lay the material as planks or tiles
     Sea sea = {};
     Fractal fractal = {};
-    double extent = 0;      ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
+    double extent = 0; ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
     double water_level = -hill_reach; ///< of lakes in kernel radii; this one is below all ground
-    int cover = 0;          ///< what covers terrain: an index in `covers`
+    int cover = 0;                    ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
