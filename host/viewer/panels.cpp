@@ -409,7 +409,7 @@ void side_panel(Session& session) {
     const std::array sections{
         Section{"Noise",
                 [](Session& s) {
-                    controls(s, {"material", "scale", "seed"});
+                    controls(s, {"material", "fractal", "scale", "seed"});
                 },
                 true, shows(render::Kind::noise)},
         Section{"Fractal noise",
@@ -431,7 +431,7 @@ void side_panel(Session& session) {
         Section{"File", file_panel, false},
         Section{"Laboratory",
                 [](Session& s) {
-                    controls(s, {"recipe", "fractal", "gradient", "phasor"});
+                    controls(s, {"recipe", "gradient", "phasor"});
                 },
                 false}};
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons
