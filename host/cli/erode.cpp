@@ -47,6 +47,7 @@ struct ErodeOptions {
     std::optional<std::string> steepness;
     std::optional<std::string> relief;
     bool full_range = false;
+    bool only_height = false;
     std::string preset = "alps";
     ParameterOptions parameters; // the seed and the erosion; these override those of the preset
     std::string compression = "none";
@@ -194,6 +195,8 @@ void check_output(const ErodeOptions& options) {
     if (std::filesystem::equivalent(options.map.path, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
+    if (options.only_height && !has_extension(options.output, ".exr"))
+        throw RequestError("--only-height is for an EXR: other files have nothing else");
     check_height_options(options.output, options.full_range, options.compression, options.masks.has_value());
 }
 
@@ -235,7 +238,7 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
     std::optional<render::MaskWriter> masks;
     if (options.masks)
         masks.emplace(*options.masks, header, map.pixel, map.missing_height(), reach);
-    if (has_extension(options.output, ".exr"))
+    if (has_extension(options.output, ".exr") && !options.only_height)
         exr.emplace(options.output, header);
     else
         heights.emplace(
@@ -305,6 +308,8 @@ void add_erode_command(CLI::App& app) {
         "TIFF, with the place of a GeoTIFF, or in .r32; 16 bits in a PNG, .r16 or .raw. All but EXR and "
         "TIFF have their scale in a .json file beside them")
         ->required();
+    command->add_flag("--only-height", options->only_height,
+                      "Write an EXR with channel Y alone, which every program shows");
     add_full_range_option(*command, options->full_range);
     add_option(
         *command, "--masks", options->masks, "FOLDER",

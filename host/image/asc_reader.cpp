@@ -46,6 +46,8 @@ class Asc : public PictureReader {
         std::map<std::string, double> header{{"nodata_value", -9999}};
         for (word_ = next(); !word_.empty() && std::isalpha(static_cast<unsigned char>(word_[0]));
              word_ = next()) {
+            if (header.size() > 16)
+                refuse_picture(path_, "it has a header of more than 16 lines");
             std::string name = word_;
             std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
             header[name] = number(next());

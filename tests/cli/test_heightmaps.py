@@ -146,7 +146,7 @@ class GeoTiff(HeightmapTest):
             self.write(hills().astype(kind), **place)
             self.assert_read(hills(), [800, 600], "map.tif")
         for kind in "u1", "i1":
-            values = (hills() / 10).astype(kind)
+            values = (hills() / 10 - (60 if kind == "i1" else 0)).astype(kind)
             self.write(values, **place)
             self.assert_read(values, [800, 600], "map.tif")
         levels = np.round(hills() / 4).astype("u1")  # of no GeoTIFF
@@ -395,6 +395,12 @@ class Writing(HeightmapTest):
         write_exr(self.folder / "flat.exr", {"Y": np.full((9, 9), 3, "f4")})
         self.succeed("erode", "flat.exr", "-o", "flat.png", "--extent=9", "--full-range")
         self.assertEqual(json.loads((self.folder / "flat.png.json").read_text())["elevation"], [3, 4])
+        self.assertEqual(self.write("one.exr", "--only-height"), {"width": 80, "height": 60, "extent": [800, 1200], "missing": -9999})
+        one = Exr(self.folder / "one.exr").channels
+        self.assertEqual(list(one), ["Y"])
+        np.testing.assert_array_equal(one["Y"], self.expected)
+        self.assertEqual(self.read("one.exr").parameters["extent"], [800, 1200])
+        self.assert_refused(["--only-height is for an EXR"], "erode", "map.tif", "-o", "out.png", "--only-height")
         for name in "out.tif", "out.exr", "out.r32":
             self.assert_refused(["--full-range", "16-bit", f"'{name}'"], "erode", "map.tif", "-o", name, "--full-range")
 

@@ -43,7 +43,7 @@ class Help(ProgramTest):
                                "--lobes", "--seed", "--evolution", "--paint", "--gradient", "--phasor", "--view", "--tileable", "--light-azimuth",
                                "--light-elevation", "--environment", *FRACTAL),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
-                             "--gully-width", "--nodata", "--byte-order", "--encoding", "--full-range", "--offset", "--steepness", "--relief", "--compression", "--seed", "--tileable", "--device"),
+                             "--gully-width", "--nodata", "--byte-order", "--encoding", "--full-range", "--only-height", "--offset", "--steepness", "--relief", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}

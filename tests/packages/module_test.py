@@ -471,7 +471,7 @@ class Erosion(unittest.TestCase):
         tall = gn.erode(pairs(self.HILLS), (8, 8), seed=5, dtype=np.float64)
         for channel in range(3):
             error = (tall - pairs(whole))[2:-2, 2:-2, channel].std() / pairs(whole)[..., channel].std()
-            self.assertLess(error, (0.01, 0.1, 0.1)[channel], f"channel {channel}")
+            self.assertLess(error, (0.01, 0.2, 0.2)[channel], f"channel {channel}")
         with self.assertRaisesRegex(ValueError, "extent"):
             gn.erode(self.HILLS, (8, 8, 8))
 
