@@ -31,11 +31,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "strength": (-1e6, 1e6),
     "noise": (-math.inf, math.inf),
     "seconds": (-2e9, 2e9),
-    "wind": (2, 30),
-    "fetch": (1e3, 1e6),
-    "swell_height": (0, 30),
-    "swell_period": (5, 25),
-    "swell_direction": (-1e15, 1e15),
     "pixel_size": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
@@ -55,7 +50,7 @@ _RANGES: dict[str, tuple[float, float]] = {
 
 
 class Member(NamedTuple):
-    """A parameter of a material or of erosion: a member of the drop-in's struct."""
+    """A parameter of a material, of erosion or of the sea: a member of the drop-in's struct."""
 
     name: str
     kind: str  # "number", "integer", "angle" in radians, or "colour"
@@ -70,7 +65,7 @@ def _members() -> dict[str, dict[str, Member]]:
     members: dict[str, dict[str, Member]] = {}
     for row, kind, (low, high), about in _native.ROWS:
         owner, _, name = row.rpartition(".")
-        kernel = owner.replace("-", "_") or "terrain"
+        kernel = {"": "terrain", "sea": "water"}.get(owner, owner.replace("-", "_"))
         if kernel not in _native.KERNELS:
             continue
         of = members.setdefault(kernel, {})
@@ -82,6 +77,7 @@ def _members() -> dict[str, dict[str, Member]]:
             low, high = math.radians(low), math.radians(high)
         of[name] = Member(name, kind, low, high, default, about)
     members["eroded"] = members["terrain"]
+    members["water_height"] = members["water"]
     return members
 
 
