@@ -34,7 +34,7 @@ class Help(ProgramTest):
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--write-heightmap", "--full-range", "--elevation", "--extent", "--cover", "--water-level", "--boards",
-                              "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
+                              "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--water-depth", "--loop-seconds", "--altitude",
                               "--light-azimuth", "--light-elevation", "--environment", *FRACTAL),
                    "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--float",
                             "--compression", "--device", "--material", "--boards", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover", "--water-level"),
@@ -94,9 +94,9 @@ class Help(ProgramTest):
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
         terrain = ["--view=terrain", "--write-heightmap=out.png"]
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
-                 **dict.fromkeys(("--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--seconds", "--altitude"), ["--view=ocean"]), **dict.fromkeys(FRACTAL[1:], ["--fractal=fbm"]), "--extent": terrain, "--cover": terrain, "--water-level": terrain, "--elevation": terrain}
+                 **dict.fromkeys(("--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--water-depth", "--loop-seconds", "--seconds", "--altitude"), ["--view=ocean"]), **dict.fromkeys(FRACTAL[1:], ["--fractal=fbm"]), "--extent": terrain, "--cover": terrain, "--water-level": terrain, "--elevation": terrain}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 to extent/8 if --extent is given, else 0,1000": "0,1000"}
-        for command, number in ("render", 46), ("erode", 18):
+        for command, number in ("render", 47), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             given = {}  # the defaults of each command line's options; a file of heights has a range of its own

@@ -211,11 +211,11 @@ OCEAN = """
     float height[3], fold[3];
     const gabor_vec2 place = p * 61.0f - gabor_vec2(3000.0f, -900.0f);
     const vector half(0.5f * place.x, 0.5f * place.y, 0);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 0, 7, moved[0], height[0], fold[0]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 15, 70, 7, moved[1], height[1], fold[1]);
     osl::gabor_ocean(vector(place.x, place.y, 0), DEFAULTS, moved[2], height[2], fold[2]);
-    static const GaborOcean seas[] = {gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 0),
-                                      gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 64), gabor_ocean(10.0f)};
+    static const GaborOcean seas[] = {gabor_ocean_of(GaborSea{13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 0.0f, 0.6f, 0}),
+                                      gabor_ocean_of(GaborSea{13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 15.0f, 0.6f, 64}), gabor_ocean(10.0f)};
     const GaborWater water[] = {gabor_water(place, -71.3f, seas[0], 7u), gabor_water(place, -71.3f, seas[1], 7u),
                                 gabor_water(place, 0.0f, seas[2], 0u)};
     const float units[] = {0.5f, 0.5f, 1.0f};

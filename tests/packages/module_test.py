@@ -24,7 +24,7 @@ WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
 COMMON = dict(seed=[1, 2**32 - 1, -5], evolution=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
 SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell_height=[0.0, 1.0, 3.0],
-           loop_seconds=[0, 8, 256], seed=[1, 2, 3])
+           water_depth=[0.0, 20.0, 4.0], loop_seconds=[0, 8, 256], seed=[1, 2, 3])
 SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
 OCTAVES = dict(octaves=[1.0, 2.5, 6.0], gain=[0.3, 0.5, 0.9], lacunarity=[1.5, 2.0, 3.1], turn=[0.0, 0.4, 2.0])
 
@@ -392,8 +392,8 @@ class Calls(unittest.TestCase):
         wave = f"x, y, frequency=4.0, orientation=0.0, {common}"
         octaves = f"octaves=5.0, gain=0.5, lacunarity=2.0, basis=smooth, shape=fbm, turn={np.arctan(0.75)}, {common}"
         ground = common.replace("evolution=None, ", "")
-        sea = "x, y, seconds=0.0, wind=10.0, direction=0.0, fetch=200000.0, swell_height=0.0, swell_period=12.0, swell_direction=1.0471975511965976, loop_seconds=0, " \
-              "seed=0, workers=None, dtype=float32"
+        sea = "x, y, seconds=0.0, direction=0.0, loop_seconds=0, seed=0, workers=None, dtype=float32, wind=10.0, fetch=200000.0, swell_height=0.0, " \
+              "swell_period=12.0, swell_direction=1.047198, water_depth=0.0"
         for name, expected in {
                 "image": "shape, scale=32.0, frequency=4.0, orientation=0.0, isotropic=False, frequency_spread=0.0, orientation_spread=0.0, "
                          f"lobes=None, {common}",

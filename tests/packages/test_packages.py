@@ -218,7 +218,7 @@ print(gabor_noise.__version__)
         "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel_size=(0.1, 0.3), period=(8, 16), **rough)":
             "island.height island.slope.x island.slope.y island.ridge",
         "water(x, y, seconds=100.25, pixel_size=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
-                                                               "water.jacobian water.lost.x water.lost.y water.lost.z",
+                                                               "water.jacobian water.lost.x water.lost.y water.lost.z water.velocity.x water.velocity.y water.velocity.z",
         "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
         **{f"material('{name.replace('_', '-')}', x, y, pixel_size=(0.1, 0.3), period=(6, 4), seed=-9)":
            " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
@@ -228,7 +228,7 @@ wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period
 octaves = dict(octaves=3.4, gain=0.6, lacunarity=1.9, turn=0.4, basis="perlin")
 rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, loop_seconds=256, seed=-9)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, water_depth=14, loop_seconds=256, seed=-9)
 def channels(made):
     if isinstance(made, dict):
         return [each for name, part in made.items()
@@ -257,7 +257,7 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
         lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
         lobes.count = 2;
-        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f, {1.5f, 9.0f, 2.1f}, 256);
+        static const GaborOcean sea = gabor_ocean_of(GaborSea{8.0f, 3.0e4f, 1.5f, 9.0f, 2.1f, 14.0f, 0.7f, 256});
         const GaborWater water = gabor_water_filtered(p, dx, dy, 100.25f, sea, seed);
         const gabor_ivec2 cell(int(p.x), int(p.y));
         const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));

@@ -401,7 +401,7 @@ void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
     push.second = static_cast<int>(second);
     push.fraction = static_cast<float>(sea.seconds - second);
     push.seed = request.seed;
-    plan.tables = {ocean_table(sea)};
+    plan.tables = {ocean_table(request)};
     plan.steps = {step_of("ocean", Constants{}, push, passes::ocean_group)};
 }
 

@@ -95,15 +95,10 @@ struct Fractal {
     bool operator==(const Fractal&) const = default;
 };
 
-/// The waves of a sea. The wind blows along +x.
+/// The time of a sea. Request::look has its waves. The wind blows along +x.
 struct Sea {
-    double wind = 10;            ///< metres per second
-    double fetch = 200000;       ///< metres of open water upwind
-    double swell_height = 0;     ///< significant height in metres, 0 for none
-    double swell_period = 12;    ///< seconds
-    double swell_direction = 60; ///< where it goes: degrees from +x towards +y
-    int loop_seconds = 0;        ///< after which all repeats, a power of 2, or 0
-    double seconds = 0;          ///< time
+    int loop_seconds = 0; ///< after which all repeats, a power of 2, or 0
+    double seconds = 0;   ///< time
     bool operator==(const Sea&) const = default;
 };
 
@@ -134,8 +129,9 @@ struct Request {
     Kind kind = Kind::noise;
     View view = {};
     std::string material{no_material}; ///< `no_material` unless the kind is a material; see material.hpp
-    std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
-                                                                 ///< that differ from their defaults, by name
+    std::map<std::string_view, std::array<double, 3>> look =
+        {};                      ///< parameters of the material, erosion or sea
+                                 ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     bool boards = false; ///< lay the material as planks or tiles

@@ -412,38 +412,32 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 
 # ---- The sea -------------------------------------------------------------------------------------------------------
 
-def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-          fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-          loop_seconds: ArrayLike = 0, pixel_size: ArrayLike = 0.0, seed: Seed = 0, workers: int | None = None,
-          dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
+def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, direction: ArrayLike = 0.0, loop_seconds: ArrayLike = 0,
+          pixel_size: ArrayLike = 0.0, seed: Seed = 0, workers: int | None = None, dtype: DTypeLike = np.float32,
+          **sea: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; jacobian, of (x, y) + shift by (x, y): 1 at
-    rest and lower where the water folds, with foam below 0.7; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
-    shift and lost have a last axis.
+    rest and lower where the water folds; lost, the covariance (xx, yy, xy) of the slopes of finer waves; velocity, along x, along y and
+    up, in metres per second. Slope, shift, lost and velocity have a last axis.
 
     x, y: metres. Values equal those of the shader `gabor_ocean.glsl`, wherever and whenever they are.
     seconds: time.
-    wind: metres per second, 10 m up.
-    direction: where the waves go.
-    fetch: metres of open water upwind.
-    swell_height: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
-    swell_period: its seconds from crest to crest, 5 to 25.
-    swell_direction: where it goes, as `direction`: from +x towards +y.
+    direction: where the wind and its waves go.
     loop_seconds: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and each wave's
     period becomes an integer fraction of the loop, which should last several periods of the swell.
     pixel_size: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
+    sea: directions in radians.
     """
-    values = evaluate("water", locals())
+    values = evaluate("water", locals(), members("water", sea, "water()"))
     return {"height": values[..., 0], "slope": values[..., 1:3], "shift": values[..., 3:5], "jacobian": values[..., 5],
-            "lost": values[..., 6:]}
+            "lost": values[..., 6:9], "velocity": values[..., 9:]}
 
 
-def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-                 fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-                 loop_seconds: ArrayLike = 0, seed: Seed = 0, workers: int | None = None,
-                 dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
-    return evaluate("water_height", locals())
+def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, direction: ArrayLike = 0.0, loop_seconds: ArrayLike = 0,
+                 seed: Seed = 0, workers: int | None = None, dtype: DTypeLike = np.float32, **sea: ArrayLike) -> NDArray[Any]:
+    """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`:
+    """
+    return evaluate("water_height", locals(), members("water_height", sea, "water_height()"))
 
 
 # ---- Source --------------------------------------------------------------------------------------------------------
@@ -478,17 +472,19 @@ def _describe(kernel: str, defaults: Mapping[str, float] = {}) -> str:
     return "\n".join(lines)
 
 
-def _document(function: Callable[..., object], defaults: Mapping[str, float] = {}) -> None:
-    """Add the members of GaborErosion to a function's signature and help."""
+def _document(function: Callable[..., object], kernel: str, defaults: Mapping[str, float] = {}) -> None:
+    """Add the members of a struct to a function's signature and help."""
     signature = inspect.signature(function)
     function.__signature__ = signature.replace(parameters=[  # type: ignore[attr-defined]
         *list(signature.parameters.values())[:-1],
         *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=defaults.get(name, member.default), annotation="ArrayLike")
-          for name, member in MEMBERS["terrain"].items())])
-    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe('terrain', defaults)}\n"  # type: ignore[union-attr]
+          for name, member in MEMBERS[kernel].items())])
+    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe(kernel, defaults)}\n"  # type: ignore[union-attr]
 
 
-_document(terrain)
-_document(erode, _OF_MAPS)
+_document(terrain, "terrain")
+_document(erode, "terrain", _OF_MAPS)
+_document(water, "water")
+_document(water_height, "water")
 material.__doc__ = f"{material.__doc__.rstrip()}\n\n" + "".join(  # type: ignore[union-attr]
     f"    {name}:\n{_describe(name.replace('-', '_'))}\n" for name in _MATERIALS)

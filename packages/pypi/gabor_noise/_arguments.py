@@ -33,11 +33,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "strength": (-1e6, 1e6),
     "noise": (-math.inf, math.inf),
     "seconds": (-2e9, 2e9),
-    "wind": (2, 30),
-    "fetch": (1e3, 1e6),
-    "swell_height": (0, 30),
-    "swell_period": (5, 25),
-    "swell_direction": (-1e15, 1e15),
     "pixel_size": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
@@ -57,7 +52,7 @@ _RANGES: dict[str, tuple[float, float]] = {
 
 
 class Member(NamedTuple):
-    """A parameter of a material or of erosion: a member of the drop-in's struct."""
+    """A parameter of a material, of erosion or of the sea: a member of the drop-in's struct."""
 
     name: str
     kind: str  # "number", "integer", "angle" in radians, or "colour"
@@ -72,7 +67,7 @@ def _members() -> dict[str, dict[str, Member]]:
     members: dict[str, dict[str, Member]] = {}
     for row, kind, (low, high), about in _native.ROWS:
         owner, _, name = row.rpartition(".")
-        kernel = owner.replace("-", "_") or "terrain"
+        kernel = {"": "terrain", "sea": "water"}.get(owner, owner.replace("-", "_"))
         if kernel not in _native.KERNELS:
             continue
         of = members.setdefault(kernel, {})
@@ -84,6 +79,7 @@ def _members() -> dict[str, dict[str, Member]]:
             low, high = math.radians(low), math.radians(high)
         of[name] = Member(name, kind, low, high, default, about)
     members["eroded"] = members["terrain"]
+    members["water_height"] = members["water"]
     return members
 
 
