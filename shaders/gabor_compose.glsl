@@ -24,7 +24,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_MATERIALS_GLSL
-#error Include gabor_materials.glsl before gabor_compose.glsl
+#error Include gabor_noise.glsl, gabor_spectrum.glsl, gabor_fractal.glsl, gabor_materials.glsl before gabor_compose.glsl
 #endif
 #ifndef GABOR_COMPOSE_GLSL
 #define GABOR_COMPOSE_GLSL 1
