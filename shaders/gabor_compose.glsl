@@ -1,7 +1,6 @@
 // gabor_compose.glsl: materials together, as planks and tiles, one over another, or worn.
 //
-// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl, gabor_filter.glsl for filtered materials, and
-// gabor_materials.glsl.
+// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl, gabor_fractal.glsl and gabor_materials.glsl.
 //
 //     GaborBoards planks = gabor_boards_default();
 //     GaborBoard board = gabor_board(p, dFdx(p), dFdy(p), vec2(0.0), planks, 7u);      // the one at p
@@ -25,7 +24,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_MATERIALS_GLSL
-#error Include gabor_noise.glsl, gabor_spectrum.glsl and gabor_materials.glsl before gabor_compose.glsl
+#error Include gabor_noise.glsl, gabor_spectrum.glsl, gabor_fractal.glsl, gabor_materials.glsl before gabor_compose.glsl
 #endif
 #ifndef GABOR_COMPOSE_GLSL
 #define GABOR_COMPOSE_GLSL 1

@@ -8,7 +8,7 @@
 #include "passes/material_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
-#include "gabor_filter.glsl"
+#include "gabor_fractal.glsl"
 #include "gabor_materials.glsl"
 #include "gabor_compose.glsl"
 

@@ -1,6 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
-// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hlsl.
+// Includes gabor_noise.hlsl, gabor_fractal.hlsl, gabor_spectrum.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hlsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -28,13 +27,11 @@
 #ifndef GABOR_NOISE_HLSL
 #include "gabor_noise.hlsl"
 #endif
+#ifndef GABOR_FRACTAL_HLSL
+#include "gabor_fractal.hlsl"
+#endif
 #ifndef GABOR_SPECTRUM_HLSL
 #include "gabor_spectrum.hlsl"
-#endif
-#if !defined(GABOR_FILTER_HLSL) && defined(__has_include)
-#if __has_include("gabor_filter.hlsl")
-#include "gabor_filter.hlsl"
-#endif
 #endif
 #ifndef GABOR_MATERIALS_HLSL
 #include "gabor_materials.hlsl"

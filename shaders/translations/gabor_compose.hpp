@@ -1,7 +1,6 @@
 // clang-format off
 // Generated from gabor_compose.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
-// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hpp.
+// Includes gabor_noise.hpp, gabor_fractal.hpp, gabor_spectrum.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
 //
@@ -33,13 +32,11 @@
 #ifndef GABOR_NOISE_HPP
 #include "gabor_noise.hpp"
 #endif
+#ifndef GABOR_FRACTAL_HPP
+#include "gabor_fractal.hpp"
+#endif
 #ifndef GABOR_SPECTRUM_HPP
 #include "gabor_spectrum.hpp"
-#endif
-#if !defined(GABOR_FILTER_HPP) && defined(__has_include)
-#if __has_include("gabor_filter.hpp")
-#include "gabor_filter.hpp"
-#endif
 #endif
 #ifndef GABOR_MATERIALS_HPP
 #include "gabor_materials.hpp"

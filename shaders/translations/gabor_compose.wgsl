@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
+// Paste it after gabor_noise.wgsl, gabor_fractal.wgsl, gabor_spectrum.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
