@@ -12,10 +12,12 @@
 
 namespace gabor::viewer::dear_imgui {
 
+/// Tell Dear ImGui the state of the pointer, a button and keys.
 void set_pointer(ImVec2 at);
 void set_button(int button, bool down);
 void set_key(int key, bool down);
 void set_modifiers(bool ctrl, bool shift);
+/// Whether a key is down, and whether it went down in this frame or, with `repeat`, is held.
 bool is_down(int key);
 bool went_down(int key, bool repeat);
 
