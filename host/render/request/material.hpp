@@ -16,8 +16,8 @@ constexpr std::array<std::string_view, 11> materials{"wood", "fabric",        "l
                                                      "sand", "brushed-metal", "scratches", "zebra",
                                                      "bark", "carbon-fibre",  "strata"};
 
-/// The parameters of the request's material, erosion or sea, laid out like their struct in a std430 buffer. Holds
-/// the bits of integers.
+/// The parameters of the request's material, erosion or sea, laid out like their struct in a std430 buffer.
+/// Holds the bits of integers.
 std::vector<float> struct_values(const Request& request);
 
 using passes::material_channels, passes::terrain_channels;
