@@ -69,6 +69,19 @@ GaborMaterial on_boards(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned see
         board, boards);
 }
 
+// Leather with a finish, of which every part is on.
+GaborMaterial with_finish(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned seed) {
+    GaborFinish finish = gabor_finish_default();
+    finish.dirt_amount = 0.5f;
+    finish.dust_amount = 0.3f;
+    finish.grain_stretch = 3;
+    finish.grain_height = 5e-4f;
+    const auto leather = parameters_of<GaborLeather>(n);
+    return dx.x > 0 ? gabor_finished_filtered(gabor_leather_filtered_at(p, dx, dy, Vec2(0), leather, seed), p,
+                                              dx, dy, Vec2(0), finish, seed)
+                    : gabor_finished(gabor_leather_at(p, Vec2(0), leather, seed), p, Vec2(0), finish, seed);
+}
+
 // A material that a mask raises, with the mask's gradient.
 GaborMaterial raised(GaborMaterial m, Vec2 p) {
     m.height += 0.02f * (p.x - p.y);
@@ -115,6 +128,15 @@ const std::vector<Material> materials = [] {
         {"boards", 2e-4f, 0.03, 0.09, all.front().numbers, wood,
          [](Vec2 p, const Numbers& n, unsigned seed) { return on_boards(p, Vec2(0), Vec2(0), n, seed); },
          on_boards});
+    all.push_back(
+        {"finish",
+         2e-4f,
+         0.03,
+         0.1,
+         {},
+         all[2].defaults,
+         [](Vec2 p, const Numbers& n, unsigned seed) { return with_finish(p, Vec2(0), Vec2(0), n, seed); },
+         with_finish});
     return all;
 }();
 
@@ -380,12 +402,16 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
             continue; // differs only by its defaults
         Random random(7);
         double largest = 0;
-        const std::size_t colours = m.defaults.size() - m.numbers.size();
+        // A finish clips bright colours, and its dirt lies right for one relief.
+        const bool finished = m.name == std::string_view("finish");
+        const float bright = finished ? 0.6f : 1;
+        const std::size_t colours = finished ? 6 : m.defaults.size() - m.numbers.size();
         for (unsigned corner = 0; corner < 3u << m.numbers.size(); ++corner) {
             Numbers n = m.defaults;
             const unsigned look = corner >> m.numbers.size(); // every other colour bright, or all
             for (std::size_t i = 0; i < colours; ++i)
-                n[i] = look == 2 || i / 3 % 2 == look ? 1 - 0.15f * static_cast<float>(i % 3) : 0.02f;
+                n[i] =
+                    look == 2 || i / 3 % 2 == look ? bright * (1 - 0.15f * static_cast<float>(i % 3)) : 0.02f;
             for (std::size_t i = 0; i < m.numbers.size(); ++i)
                 n[colours + i] = corner >> i & 1 ? m.numbers[i].second : m.numbers[i].first;
             std::array<double, 3> mean{}, power{};
