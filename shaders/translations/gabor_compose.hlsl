@@ -236,8 +236,8 @@ GaborFinish gabor_finish_default() {
 
 // Patches and grains.
 GaborImplLayer gabor_impl_finish_layer(int i, GaborImplPixel at, GaborFinish finish, uint seed) {
-    if (i == 0) return gabor_impl_spots_layer(0, at, (float2)(1.0 / finish.patch_size), seed, 65);
-    return gabor_impl_spots_layer(1, at, float2(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
+    if (i == 0) return gabor_impl_spots_layer(at, (float2)(1.0 / finish.patch_size), seed, 65);
+    return gabor_impl_spots_layer(at, float2(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
 }
 
 // A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
@@ -270,18 +270,16 @@ GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, Gabo
 }
 
 GaborMaterial gabor_finished(GaborMaterial material, float2 p, float2 period, GaborFinish finish, uint seed) {
-    GaborImplPixel at = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel at = gabor_impl_point(p, period);
     return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 GaborMaterial gabor_finished_filtered(GaborMaterial material, float2 p, float2 dx, float2 dy, float2 period,
                                       GaborFinish finish, uint seed) {
-    GaborImplPixel at = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_finish_layer(i, at, finish, seed));
-    return gabor_impl_finish(material, finish, of.pair_0, of.pair_1);
+    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 #endif

@@ -220,8 +220,8 @@ GABOR_INLINE GaborFinish gabor_finish_default() {
 
 // Patches and grains.
 GABOR_INLINE GaborImplLayer gabor_impl_finish_layer(int i, GaborImplPixel at, GaborFinish finish, std::uint32_t seed) {
-    if (i == 0) return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / finish.patch_size), seed, 65);
-    return gabor_impl_spots_layer(1, at, gabor_vec2(1.0f, 1.0f / finish.grain_stretch) / finish.grain_size, seed, 66);
+    if (i == 0) return gabor_impl_spots_layer(at, gabor_vec2(1.0f / finish.patch_size), seed, 65);
+    return gabor_impl_spots_layer(at, gabor_vec2(1.0f, 1.0f / finish.grain_stretch) / finish.grain_size, seed, 66);
 }
 
 // A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
@@ -254,18 +254,16 @@ GABOR_INLINE GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish
 }
 
 GABOR_INLINE GaborMaterial gabor_finished(GaborMaterial material, gabor_vec2 p, gabor_vec2 period, GaborFinish finish, std::uint32_t seed) {
-    GaborImplPixel at = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel at = gabor_impl_point(p, period);
     return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 GABOR_INLINE GaborMaterial gabor_finished_filtered(GaborMaterial material, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period,
                                       GaborFinish finish, std::uint32_t seed) {
-    GaborImplPixel at = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_finish_layer(i, at, finish, seed));
-    return gabor_impl_finish(material, finish, of.pair_0, of.pair_1);
+    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 #endif

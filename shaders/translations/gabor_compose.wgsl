@@ -202,8 +202,8 @@ fn gabor_finish_default() -> GaborFinish {
 
 // Patches and grains.
 fn gabor_impl_finish_layer(i: i32, at: GaborImplPixel, finish: GaborFinish, seed: u32) -> GaborImplLayer {
-    if (i == 0) { return gabor_impl_spots_layer(0, at, vec2f(1.0 / finish.patch_size), seed, 65); }
-    return gabor_impl_spots_layer(1, at, vec2f(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
+    if (i == 0) { return gabor_impl_spots_layer(at, vec2f(1.0 / finish.patch_size), seed, 65); }
+    return gabor_impl_spots_layer(at, vec2f(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
 }
 
 // A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
@@ -236,17 +236,14 @@ fn gabor_impl_finish(material: GaborMaterial, finish: GaborFinish, patches: Gabo
 }
 
 fn gabor_finished(material: GaborMaterial, p: vec2f, period: vec2f, finish: GaborFinish, seed: u32) -> GaborMaterial {
-    let at = gabor_impl_pixel_at(p, vec2f(0.0), vec2f(0.0), period);
+    let at = gabor_impl_point(p, period);
     return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 fn gabor_finished_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, finish: GaborFinish,
                            seed: u32) -> GaborMaterial {
-    let at = gabor_impl_pixel_at(p, dx, dy, period);
-    var of_ = gabor_impl_no_pairs();
-    for (var i = 0; i < 2; i++) {
-        gabor_impl_add_filtered_spots(&of_, gabor_impl_finish_layer(i, at, finish, seed));
-    }
-    return gabor_impl_finish(material, finish, of_.pair_0, of_.pair_1);
+    let at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }
