@@ -75,7 +75,7 @@ struct GaborBoard {
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
-// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low and dust on flat
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
 // ground. And a grain, which is visible from 300 pixels per unit on.
 struct GaborFinish {
     vec3 dirt_colour;          // colour of the dirt
@@ -215,7 +215,8 @@ float gabor_impl_tinted(float colour, vec2 shade, float hue, float removed, floa
 }
 
 // Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
-GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches, GaborImplPair grain) {
+GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches,
+                                GaborImplPair grain) {
     vec2 shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
                + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
     // Red and blue change against each other, and green so that the luminance of grey stays:

@@ -98,7 +98,7 @@ GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
-// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low and dust on flat
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
 // ground. And a grain, which is visible from 300 pixels per unit on.
 struct GaborFinish {
     float3 dirt_colour;          // colour of the dirt
@@ -246,7 +246,8 @@ float gabor_impl_tinted(float colour, float2 shade, float hue, float removed, fl
 }
 
 // Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
-GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches, GaborImplPair grain) {
+GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches,
+                                GaborImplPair grain) {
     float2 shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
                + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
     // Red and blue change against each other, and green so that the luminance of grey stays:

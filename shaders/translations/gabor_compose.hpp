@@ -90,7 +90,7 @@ struct GaborBoard {
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
-// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low and dust on flat
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
 // ground. And a grain, which is visible from 300 pixels per unit on.
 struct GaborFinish {
     gabor_vec3 dirt_colour;          // colour of the dirt
@@ -230,7 +230,8 @@ GABOR_INLINE float gabor_impl_tinted(float colour, gabor_vec2 shade, float hue, 
 }
 
 // Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
-GABOR_INLINE GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches, GaborImplPair grain) {
+GABOR_INLINE GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches,
+                                GaborImplPair grain) {
     gabor_vec2 shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
                + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
     // Red and blue change against each other, and green so that the luminance of grey stays:

@@ -70,7 +70,7 @@ struct GaborBoard {
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
-// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low and dust on flat
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
 // ground. And a grain, which is visible from 300 pixels per unit on.
 struct GaborFinish {
     dirt_colour: vec3f,       // colour of the dirt
