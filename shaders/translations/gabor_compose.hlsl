@@ -108,7 +108,7 @@ struct GaborFinish {
     float hue_variation;       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
     float roughness_variation; // variation of the roughness: its deviation, 0 to 0.3
     float dirt_amount;         // share of the dirt where it is thickest, 0 to 1
-    float dirt_height;         // height at which there is half as much dirt, in units, -1 to 1
+    float dirt_height;         // height of half the dirt, in units, -1 to 1
     float dirt_depth;          // difference in height from most dirt to none, in units, 0.001 to 2
     float dust_amount;         // share of the dust where it is thickest, 0 to 1
     float grain_size;          // size of the grains along x, in units, 0.001 to 0.05

@@ -80,7 +80,7 @@ struct GaborFinish {
     hue_variation: f32,       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
     roughness_variation: f32, // variation of the roughness: its deviation, 0 to 0.3
     dirt_amount: f32,         // share of the dirt where it is thickest, 0 to 1
-    dirt_height: f32,         // height at which there is half as much dirt, in units, -1 to 1
+    dirt_height: f32,         // height of half the dirt, in units, -1 to 1
     dirt_depth: f32,          // difference in height from most dirt to none, in units, 0.001 to 2
     dust_amount: f32,         // share of the dust where it is thickest, 0 to 1
     grain_size: f32,          // size of the grains along x, in units, 0.001 to 0.05
