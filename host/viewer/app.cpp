@@ -370,10 +370,10 @@ int App::run(const FrameHook& hook) {
 
 namespace {
 
-// Prints one line on stderr.
+// Prints one line on stderr or, if there is none, shows it.
 int fail(int status, std::string message) {
     std::ranges::replace(message, '\n', ' ');
-    fmt::print(stderr, "gabor-viewer: {}\n", message);
+    std::fputs(fmt::format("gabor-viewer: {}\n", message).c_str(), stderr);
     system::show_error(message);
     return status;
 }
