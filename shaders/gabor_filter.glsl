@@ -32,7 +32,7 @@
 #define GABOR_FILTER_GLSL 1
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-//     (noise, removed).
+//     The filtered noise, and the share of the variance that the filter removed.
 
 // GaborField gabor_field_filtered(GaborPlace place, vec2 dx, vec2 dy, vec2 wave, uint seed)
 //     The filtered noise at `place`.

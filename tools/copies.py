@@ -1,4 +1,4 @@
-"""Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
+"""Other files made from the drop-ins: the page that contains them, and the program's tables of materials and of structs' members.
 tools/translate calls this module."""
 
 import json
@@ -32,18 +32,22 @@ def required(path):
 
 
 def parameters(*trees):
-    """Yields the parameters of materials, boards and erosion: the members of the structs, with the defaults that their functions
-    return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
+    """Yields the parameters of materials, boards, erosion and the sea: the members of the structs that have a range, with the defaults
+    that their functions return. A comment's first line is "about, low to high unit, usually low to high: more"; angles become degrees."""
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
-        if function.parameters or not function.name.text.endswith(("_default", "_erosion")):
+        if function.parameters or not function.name.text.endswith(("_default", "_erosion", "_sea")):
             continue
         call = function.body.parts[0].parts[0]
         for field, value in zip((field for line in call.callee.parts for field in line.parts), call.parts):
             numbers = [float(node.name.text) for node in value.walk() if node.kind == "number"]
             comment = next(comment.text for comment in tree.comments if comment.line == field.line).removeprefix("// ")
-            about, low, high, radians, usual_low, usual_high = re.fullmatch(
-                r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)( radians)?)?(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
+            about, low, high, unit, usual_low, usual_high = re.fullmatch(
+                r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)(?: (radians|metres per second|metres|seconds))?)?"
+                r"(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
+            radians = unit == "radians"
+            if low is None and field.type != "vec3":
+                continue
             kind = {"vec3": "colour", "int": "integer", "float": "angle" if radians else "number"}[field.type]
             bounds = [0, 1] if kind == "colour" else [float(low), float(high)]
             if radians:
@@ -52,16 +56,27 @@ def parameters(*trees):
             member = field.name.text
             about = (about or member).replace("unit of p", "kernel radius")
             about = f"{member} {about}" if about.startswith("of ") else about
-            option = f"{name.replace('_', '-')}.{member}" if made else member
-            yield option, kind, bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
+            option = f"{name.replace('_', '-')}.{member}" if made or name == "sea" else member
+            yield option, kind, "degrees" if radians else unit or "", bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
 
 
 def struct_rows(*trees):
     """Returns the program's table of the parameters."""
-    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
-    for option, kind, *numbers, about in parameters(*trees):
+    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl, gabor_erosion.glsl and gabor_ocean.glsl by tools/translate: change those files, not this one."]
+    for option, kind, unit, *numbers, about in parameters(*trees):
         braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in numbers)
-        lines.append(f'{{"{option}", Type::{kind}, {", ".join(braced)}, "{about}"}},')
+        lines.append(f'{{"{option}", Type::{kind}, "{unit}", {", ".join(braced)}, "{about}"}},')
+    return "\n".join(lines) + "\n"
+
+
+def material_rows(tree):
+    """Returns the program's list of materials: the name without prefix of a function and the struct of its parameters, and the name for
+    options."""
+    lines = ["// Generated from gabor_materials.glsl by tools/translate: change that file, not this one."]
+    for item in tree.items:
+        if item.kind == "function" and item.name.text.endswith("_default"):
+            name = item.name.text.removeprefix("gabor_").removesuffix("_default")
+            lines.append(f'GABOR_MATERIAL({name}, {item.type}, "{name.replace("_", "-")}")')
     return "\n".join(lines) + "\n"
 
 
@@ -69,21 +84,26 @@ def controls(tree):
     """Returns the page's JSON for the controls of materials, or of boards."""
     return ",\n".join(json.dumps({"name": option, "kind": kind, "min": usual[0], "max": usual[1],
                                   "value": numbers if kind == "colour" else numbers[0], "about": about})
-                      for option, kind, _, usual, numbers, about in parameters(tree))
+                      for option, kind, _, _, usual, numbers, about in parameters(tree))
 
 
 def materials(of_materials, of_boards):
     """Returns the page's JSON: the controls of materials and of boards, and the program's presets that are materials."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
-    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|.*\.", key)}
+    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|finish|.*\.", key)}
                for name, preset in presets.items() if "material" in preset}
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets)
     return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'
 
 
-# The files of the page's sea, in order. It has more bands than the translation.
-SEA = ROOT / "shaders" / "gabor_ocean.glsl", ROOT / "shaders" / "passes" / "seascape.glsl", ROOT / "shaders" / "passes" / "srgb.glsl"
+def in_shaders(*names):
+    return tuple(ROOT / "shaders" / f"{name}.glsl" for name in names)
+
+
+# The files of the page's sea, in order, which has more bands than the translation, and of its ground.
+SEA = in_shaders("gabor_ocean", "passes/seascape", "passes/srgb")
 SEA_MACROS = "GABOR_OCEAN_BANDS=12",
+GROUND = in_shaders("passes/ground", "passes/ranges")
 
 
 def brief(text):
@@ -96,11 +116,13 @@ def made(shader, in_wgsl):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
     before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")))
+    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion", "ocean")))
+    yield ROOT / "host" / "render" / "request" / "material_rows.inc", material_rows(trees["gabor_materials"])
     sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
                *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
     texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
-    for i, path in enumerate(SEA):
-        texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=SEA_MACROS, before=(ROOT / "shaders" / "gabor_noise.glsl", *SEA[:i]))
+    for files, macros, before in (SEA, SEA_MACROS, ("gabor_noise",)), (GROUND, (), ("gabor_noise", "gabor_erosion", "gabor_fractal")):
+        for i, path in enumerate(files):
+            texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=macros, before=(*in_shaders(*before), *files[:i]))
     texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl"))}
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())

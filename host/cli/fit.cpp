@@ -80,7 +80,7 @@ void add_fit_command(CLI::App& app) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
     add_option(*command, "IMAGE", options->image, "FILE",
-               "The photograph: PNG, JPEG, TGA or OpenEXR, at least 128x128 pixels")
+               "The photograph: PNG, JPEG, TGA, TIFF or OpenEXR, at least 128x128 pixels")
         ->required();
     add_option(*command, "-o,--output", options->output, "FILE",
                "Output: a preset NAME.json for gabor render --preset")

@@ -33,6 +33,13 @@ void begin_group(CLI::App& command, const std::string& name);
 /// Adds an option for a range of heights; `help` says what 0 and 65535 stand for without it.
 void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help);
 
+/// Adds the option that stretches 16-bit heights.
+void add_full_range_option(CLI::App& command, bool& full_range);
+
+/// Checks the options of a heightmap that may have an EXR beside it.
+void check_height_options(const std::filesystem::path& path, bool full_range, std::string_view compression,
+                          bool exr);
+
 /// Reads LOW,HIGH.
 render::Elevation parse_elevation(std::string_view text);
 

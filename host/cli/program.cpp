@@ -163,8 +163,8 @@ void add_compression_option(CLI::App& command, std::string& compression) {
                         fmt::format("--compression '{}': {}", name, expected(name, image::exr_compressions)));
             },
             fmt::format("Lossless compression of the EXR, which helps where much of the picture is equal, "
-                        "such as sky, and hardly with noise: {} [none]",
-                        accepted))
+                        "such as sky, and hardly with noise: {} [{}]",
+                        accepted, compression))
         ->type_name("NAME");
 }
 

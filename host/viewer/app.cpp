@@ -13,7 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -207,9 +207,9 @@ void App::panels() {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     // Tab moves between fields only while one is being edited; otherwise it is a shortcut.
-    ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
+    ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, !ImGui::GetIO().WantTextInput);
     side_panel(session_);
-    ImGui::PopAllowKeyboardFocus();
+    ImGui::PopItemFlag();
     ImGui::End();
 }
 

@@ -93,7 +93,7 @@ void ask_for_paint(Session& session) {
     ask(session,
         {.title = "A map of directions: red and green point along the waves",
          .action = "Open",
-         .endings = {".png", ".jpg", ".jpeg", ".tga", ".exr"},
+         .endings = {".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".exr"},
          .take =
              [&session](const std::string& path) {
                  attempt(session, [&] { set_parameter(session.document(), "paint", path); });

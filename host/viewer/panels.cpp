@@ -196,10 +196,12 @@ void material_panel(Session& session) {
     controls(session, {"scale", "seed"});
     control(session, "boards");
     controls_of(session, render::Parameter::Group::boards);
+    control(session, "finish");
+    controls_of(session, render::Parameter::Group::finish);
 }
 
 void terrain_panel(Session& session) {
-    controls(session, {"scale", "seed", "extent", "cover"});
+    controls(session, {"scale", "seed", "extent", "cover", "water_level"});
     controls_of(session, render::Parameter::Group::erosion);
 }
 
@@ -409,7 +411,7 @@ void side_panel(Session& session) {
     const std::array sections{
         Section{"Noise",
                 [](Session& s) {
-                    controls(s, {"material", "scale", "seed"});
+                    controls(s, {"material", "fractal", "scale", "seed"});
                 },
                 true, shows(render::Kind::noise)},
         Section{"Fractal noise",
@@ -431,7 +433,7 @@ void side_panel(Session& session) {
         Section{"File", file_panel, false},
         Section{"Laboratory",
                 [](Session& s) {
-                    controls(s, {"recipe", "fractal", "gradient", "phasor"});
+                    controls(s, {"recipe", "gradient", "phasor"});
                 },
                 false}};
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons

@@ -48,7 +48,7 @@ struct View : Document {
 std::string members_of(const View& view, render::Parameter::Group group, std::string_view of = "m") {
     std::string text;
     for (const render::Parameter& p : render::parameters())
-        if (p.group == group && render::is_set(view.request, p.name)) {
+        if (p.of_struct && p.group == group && render::is_set(view.request, p.name)) {
             const render::Value value = *p.get(view.request);
             const auto* number = std::get_if<double>(&value);
             text += glsl("    {}.{} = {};\n", of, p.name.substr(p.name.find('.') + 1),
@@ -252,6 +252,7 @@ std::string material_function(const View& view) {
                             : "gabor_{0}_at({1}{4}, {2}, m, {1}{3})",
              function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed,
              boards ? "position" : "p");
+    const std::string laid = boards ? glsl("gabor_laid({}, board, boards)", material) : material;
     return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
                 "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
                 "gabor_{}_default();\n{}",
@@ -261,8 +262,15 @@ std::string material_function(const View& view) {
                            "    GaborBoard board = gabor_board(p, {}, {}, boards, {});\n",
                            members_of(view, render::Parameter::Group::boards, "boards"),
                            request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", tile, seed)) +
+           (!request.finish ? ""
+                            : glsl("    GaborFinish finish = gabor_finish_default();\n{}",
+                                   members_of(view, render::Parameter::Group::finish, "finish"))) +
            glsl("    return {};\n}}\n\n",
-                boards ? glsl("gabor_laid({}, board, boards)", material) : material);
+                request.finish
+                    ? glsl(request.filter ? "gabor_finished_filtered({}, p, dx, dy, {}, finish, {})"
+                                          : "gabor_finished({}, p, {}, finish, {})",
+                           laid, tile, seed)
+                    : laid);
 }
 
 // GLSL for the colour that each Look shows of the Sample `here`.
@@ -280,7 +288,7 @@ std::string material_snippet(const View& view) {
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
     return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials",
-                     view.request.boards ? "compose" : ""}) +
+                     view.request.boards || view.request.finish ? "compose" : ""}) +
            material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
@@ -293,26 +301,26 @@ std::string material_snippet(const View& view) {
 
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
-    return includes({"noise", "erosion"}) + shaders({"landscape.glsl", "srgb.glsl"}) +
+    return includes({"noise", "erosion", "fractal"}) +
+           shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
-                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {});\n"
+                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
                 "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
                 head(view, "vec3 colour"), members_of(view, render::Parameter::Group::erosion), push.cell.x,
-                push.cell.y, push.period, push.seed, push.reach, push.sun, push.cover, push.corner,
-                push.distance, push.yaw, push.pitch, push.center, push.pixel);
+                push.cell.y, push.period, push.seed, push.reach, push.sun, view.request.cover, push.water,
+                push.corner, push.distance, push.yaw, push.pitch, push.center, push.pixel);
 }
 
 std::string sea_snippet(const View& view) {
     const auto push = view.push<passes::OceanPush>();
-    const render::Sea& sea = view.request.sea;
     return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
            shaders({"seascape.glsl", "srgb.glsl"}) +
-           glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
-                "sea_of(gabor_ocean_of({}, 0.0, {}, vec3({}, {}, {}), {}), {}u, {}, {}, {});\n"
+           glsl("\n// The colour for the screen. Compute `sea` once.\n{}    GaborSea m = gabor_sea();\n{}"
+                "    m.loop_seconds = {};\n    Sea sea = sea_of(gabor_ocean_of(m), {}u, {}, {}, {});\n"
                 "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",
-                head(view, "vec3 colour"), sea.wind, sea.fetch, sea.swell_height, sea.swell_period,
-                noise::radians(sea.swell_direction), sea.loop_seconds, push.seed, push.second, push.fraction,
-                push.sun, push.altitude, push.yaw, push.pitch, push.center, push.pixel);
+                head(view, "vec3 colour"), members_of(view, render::Parameter::Group::sea),
+                view.request.sea.loop_seconds, push.seed, push.second, push.fraction, push.sun, push.altitude,
+                push.yaw, push.pitch, push.center, push.pixel);
 }
 
 std::string noise_snippet(const View& view) {

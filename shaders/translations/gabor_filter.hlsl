@@ -38,7 +38,7 @@
 #define GABOR_FILTER_HLSL 1
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     (noise, removed).
+//     The filtered noise, and the share of the variance that the filter removed.
 
 // GaborField gabor_field_filtered(GaborPlace place, float2 dx, float2 dy, float2 wave, uint seed)
 //     The filtered noise at `place`.

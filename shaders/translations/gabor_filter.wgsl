@@ -25,7 +25,7 @@
 const_assert GABOR_TAPS == 3; // gabor_filter.wgsl needs GABOR_TAPS 3
 
 // fn gabor_noise_filtered(p: vec2f, dx: vec2f, dy: vec2f, frequency: f32, orientation: f32, seed: u32) -> vec2f
-//     (noise, removed).
+//     The filtered noise, and the share of the variance that the filter removed.
 
 // fn gabor_field_filtered(place: GaborPlace, dx: vec2f, dy: vec2f, wave: vec2f, seed: u32) -> GaborField
 //     The filtered noise at `place`.

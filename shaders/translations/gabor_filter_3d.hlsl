@@ -31,17 +31,17 @@
 // GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 wave, uint seed)
 // GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal, float frequency,
 //                                           float3 direction, uint seed)
-//     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
-//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
-//     most 6.6 times (125 nodes).
+//     The filtered noise. The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most
+//     a third of a kernel radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a
+//     call costs 1.4 times as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2
+//     (64 nodes), and at most 6.6 times (125 nodes).
 
 // GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float frequency, uint seed)
 // GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, float3 dx, float3 dy, float3 normal,
 //                                                     float frequency, uint seed)
-//     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
-//     pixels, only the variance is right.
+//     Filtered noise of waves in all directions. They cost less than twice as much as without the filter. The rms error
+//     against exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3
+//     kernel radii, and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ====================================================================================================================
 // Private implementation

@@ -13,17 +13,17 @@
 // fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, wave: vec3f, seed: u32) -> GaborField3d
 // fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, normal: vec3f, f32 frequency, -> GaborField3d
 //                                           vec3f direction, u32 seed)
-//     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
-//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
-//     most 6.6 times (125 nodes).
+//     The filtered noise. The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most
+//     a third of a kernel radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a
+//     call costs 1.4 times as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2
+//     (64 nodes), and at most 6.6 times (125 nodes).
 
 // fn gabor_field_3d_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, frequency: f32, seed: u32) -> GaborField3d
 // fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3f, dy: vec3f, vec3f normal, -> GaborField3d
 //                                                     f32 frequency, u32 seed)
-//     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
-//     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
-//     pixels, only the variance is right.
+//     Filtered noise of waves in all directions. They cost less than twice as much as without the filter. The rms error
+//     against exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3
+//     kernel radii, and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ====================================================================================================================
 // Private implementation

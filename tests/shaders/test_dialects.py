@@ -24,7 +24,7 @@ FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_spectrum": ["gabor_noise", "gabor_spectrum", "gabor_filter"],
     "gabor_noise_3d": ["gabor_noise", "gabor_filter", "gabor_noise_3d", "gabor_filter_3d"],
-    "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials", "gabor_compose"],
+    "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_fractal", "gabor_materials", "gabor_compose"],
     "gabor_erosion": ["gabor_noise", "gabor_erosion"],
     "gabor_fractal": ["gabor_noise", "gabor_fractal"],
     "gabor_ocean": ["gabor_noise", "gabor_ocean"],
@@ -58,7 +58,7 @@ BAD_MACROS = {
     ],
     "gabor_spectrum": [("GABOR_LOBES", "0", "GABOR_LOBES must be an int *, at least 1")],
     "gabor_noise_3d": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
-    "gabor_materials": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
+    "gabor_materials": [("GABOR_TAPS", "4", "gabor_fractal . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
     "gabor_fractal": [("GABOR_TAPS", "4", "gabor_fractal . glsl needs GABOR_TAPS 3")],
     "gabor_ocean": [("GABOR_OCEAN_BANDS", "13", "GABOR_OCEAN_BANDS must be 1 to 12")],
@@ -304,7 +304,7 @@ class Names(unittest.TestCase):
         # are those of nodes, four along an axis or nine in the plane. Only constants and bounded loop counters index them.
         self.assertEqual(set(re.findall(r"\w+ \w+\[[\w +]+\]", self.code)),
                          {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]",
-                          "GaborOceanBand band[GABOR_OCEAN_BANDS + 1]"})
+                          "GaborOceanBand band[GABOR_OCEAN_BANDS + 2]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 

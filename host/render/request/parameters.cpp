@@ -137,6 +137,8 @@ constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean",
 constexpr Constant material{"--material NAME", is<Kind::material>};
 constexpr Constant laid{"--boards and --material NAME",
                         [](const Request& r) { return material.holds(r) && r.boards; }};
+constexpr Constant finished{"--finish and --material NAME",
+                            [](const Request& r) { return material.holds(r) && r.finish; }};
 constexpr Constant terrain{"--view terrain or landscape", is<Kind::terrain>};
 constexpr Constant sea{"--view ocean", is<Kind::sea>};
 
@@ -149,7 +151,8 @@ std::string other_than(const Scope& scope, const Request& request) {
     };
     if (mentions("lobe") && request.lobes.size() > 1)
         return fmt::format("{} lobes", request.lobes.size());
-    if (scope.described == scopes::laid.described && request.material != no_material)
+    if ((scope.described == scopes::laid.described || scope.described == scopes::finished.described) &&
+        request.material != no_material)
         return "";
     if (request.material != no_material && (scope.holds(plain(request)) || mentions("material")))
         return request.material;
@@ -276,6 +279,10 @@ std::vector<Parameter> noise_rows() {
             "Lay the material as planks or tiles, with joints between them. Whole boards fill a tile. `gabor "
             "materials boards` lists the options of boards",
             in_request(&Request::boards)),
+        row("finish", Type::flag, "", none, none, scopes::material,
+            "Give the material a finish: uneven colour and gloss, dirt, dust and a grain. `gabor materials "
+            "finish` lists the options of finishes",
+            in_request(&Request::finish)),
         row("scale", Type::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
@@ -399,7 +406,10 @@ std::vector<Parameter> terrain_rows() {
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
             by_index(
                 [](auto& r) -> auto& { return r.cover; }, covers),
-            {covers.begin(), covers.end()})};
+            {covers.begin(), covers.end()}),
+        row("water_level", Type::number, "", {-hill_reach, hill_reach}, {-hill_reach, 1}, scopes::terrain,
+            "Level of the water of lakes in kernel radii; the least is below all ground",
+            in_request(&Request::water_level))};
 }
 
 // Sea::loop_seconds is 0 or a power of 2 from 8.
@@ -419,20 +429,7 @@ Place seconds_of_loop() {
 }
 
 std::vector<Parameter> sea_rows() {
-    return {row("wind", Type::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind speed 10 m above the sea; the wind blows along +x", in_part(&Request::sea, &Sea::wind)),
-            row("fetch", Type::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
-                "Open water upwind: a few kilometres for a lake, 200 km or more for a grown sea",
-                in_part(&Request::sea, &Sea::fetch)),
-            row("swell_height", Type::number, "metres", {0, 30}, {0, 8}, scopes::sea,
-                "Significant height of a swell from a far storm, from trough to crest; 0 for none",
-                in_part(&Request::sea, &Sea::swell_height)),
-            row("swell_period", Type::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
-                "Time from crest to crest of the swell", in_part(&Request::sea, &Sea::swell_period)),
-            row("swell_direction", Type::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
-                "Where the swell goes: 0 with the wind, along +x, 90 along +y",
-                in_part(&Request::sea, &Sea::swell_direction)),
-            row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
+    return {row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
                 "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
@@ -446,6 +443,7 @@ std::vector<Parameter> sea_rows() {
 struct StructRow {
     std::string_view name;
     Type type;
+    std::string_view unit;
     Range range;
     Range slider;
     std::array<double, 3> by_default;
@@ -479,11 +477,14 @@ Parameter struct_row(const StructRow& made) {
     const Scope one_material{fmt::format("--material {}", of),
                              [of](const Request& r) { return is<Kind::material>(r) && r.material == of; }};
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
+                                : of == "sea"    ? std::pair(Group::sea, Scope(scopes::sea))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
+                                : of == "finish" ? std::pair(Group::finish, Scope(scopes::finished))
                                                  : std::pair(Group::material, one_material);
-    Parameter p = row(made.name, made.type, made.type == Type::angle ? "degrees" : "", made.range,
-                      made.slider, scope, made.help, in_look(made));
+    Parameter p = row(group == Group::sea ? made.name.substr(dot + 1) : made.name, made.type, made.unit,
+                      made.range, made.slider, scope, made.help, in_look(made));
     p.group = group;
+    p.of_struct = true;
     return p;
 }
 
@@ -501,8 +502,8 @@ std::vector<Parameter> make_table() {
     add(Group::view, view_rows());
     add(Group::light, light_rows());
     add(Group::terrain, terrain_rows());
-    add(Group::sea, sea_rows());
     std::ranges::transform(of_structs, std::back_inserter(table), struct_row);
+    add(Group::sea, sea_rows());
     return table;
 }
 
@@ -767,7 +768,8 @@ void set(Request& request, const Values& values, std::string (*called)(const Par
     for (const int rank : {0, 1, 2})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter& p = *named.first;
-            if (rank != (p.name == "boards" ? 1 : decides(p) ? 0 : 2)) // a material comes before its boards
+            const bool of_material = p.name == "boards" || p.name == "finish"; // which comes before these
+            if (rank != (of_material ? 1 : decides(p) ? 0 : 2))
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
             if (!p.get(request)) {
@@ -796,7 +798,7 @@ std::optional<Value> default_of(const Parameter& parameter, const Request& reque
 
 bool decides(const Parameter& p) {
     return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "fractal" ||
-           p.name == "boards";
+           p.name == "boards" || p.name == "finish";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -826,11 +828,16 @@ void drop_conflicting(Request& request, std::string_view name) {
 }
 
 std::vector<float> struct_values(const Request& request) {
-    const Group group = is<Kind::terrain>(request) ? Group::erosion : Group::material;
+    const Group group = is<Kind::terrain>(request) ? Group::erosion
+                        : is<Kind::sea>(request)   ? Group::sea
+                                                   : Group::material;
     std::vector<float> values;
     for (const Parameter& p : parameters()) {
-        const bool of_boards = group == Group::material && p.group == Group::boards;
-        const std::optional<Value> value = of_boards          ? p.place.get(request)
+        if (!p.of_struct)
+            continue;
+        const bool always =
+            group == Group::material && (p.group == Group::boards || p.group == Group::finish);
+        const std::optional<Value> value = always             ? p.place.get(request)
                                            : p.group == group ? p.get(request)
                                                               : std::nullopt;
         if (!value)

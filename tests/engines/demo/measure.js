@@ -8,7 +8,7 @@ const VALUES = {
     material: "vec3(m.colour.g + m.metalness, m.slope.x + m.slope.y, m.height + m.roughness)",
     terrain: "vec3(m.height + m.ridge, m.slope)",
 };
-const STEP = 6 / 1024; // of the land's map, on a small screen
+const STEP = 20 / 1024; // of the land's map, on a small screen
 
 function open(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, bare: "", ...settings }));
