@@ -1,10 +1,16 @@
 /* Starts a program, sends it an event of the console after some time, and prints its exit status in hexadecimal.
- *   control c|break|twice|kill MILLISECONDS PROGRAM [ARGUMENT]...    kill terminates it, twice sends two Ctrl-C */
+ *   control c|twice|kill MILLISECONDS PROGRAM [ARGUMENT]...    kill terminates it, twice sends two Ctrl-C */
 #include <windows.h>
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static HANDLE inherited(DWORD stream) {
+    const HANDLE handle = GetStdHandle(stream);
+    SetHandleInformation(handle, HANDLE_FLAG_INHERIT, HANDLE_FLAG_INHERIT);
+    return handle;
+}
 
 int main(int count, char** arguments) {
     char line[32768] = "";
@@ -16,14 +22,18 @@ int main(int count, char** arguments) {
         strcat(line, arguments[i]);
         strcat(line, "\"");
     }
+    start.dwFlags = STARTF_USESTDHANDLES;
+    start.hStdInput = inherited(STD_INPUT_HANDLE);
+    start.hStdOutput = inherited(STD_OUTPUT_HANDLE);
+    start.hStdError = inherited(STD_ERROR_HANDLE);
+    FreeConsole(); /* events need a console, which Wine gives only to programs that it starts from a terminal */
+    AllocConsole();
     if (count < 4 || !CreateProcessA(NULL, line, NULL, NULL, TRUE, 0, NULL, NULL, &start, &process))
         return 1;
     Sleep(atoi(arguments[2]));
-    SetConsoleCtrlHandler(NULL, TRUE); /* for Ctrl-C */
+    SetConsoleCtrlHandler(NULL, TRUE); /* ignores Ctrl-C */
     if (strcmp(arguments[1], "kill") == 0)
         TerminateProcess(process.hProcess, 9);
-    else if (strcmp(arguments[1], "break") == 0)
-        GenerateConsoleCtrlEvent(CTRL_BREAK_EVENT, 0);
     else
         GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0);
     if (strcmp(arguments[1], "twice") == 0) {

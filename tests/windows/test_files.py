@@ -14,7 +14,7 @@ from program import PROGRAM, ProgramTest, environment, gabor, start  # noqa: E40
 
 CONTROL, EXE = os.environ["GABOR_CONTROL"], os.environ["GABOR_EXE"]
 SMALL = ("--size=64x64",)
-LARGE = ("--size=4000x4000", "--orientation-spread=90")  # takes seconds
+LARGE = ("--size=8000x8000", "--fractal=fbm", "--fractal.octaves=8")  # takes ten seconds or more
 INTERRUPTED, CONTROL_C_EXIT = "gabor: interrupted; no half-written file was kept\n", "c000013a"
 
 
@@ -99,12 +99,12 @@ class End(ProgramTest):
         return result.stdout.split()[-1], result.stderr
 
     def test_interrupted(self):
+        # By Ctrl-C; Wine does not deliver Ctrl-Break, which the program receives in the same function.
         (self.folder / "old.exr").write_text("older")
-        for event in ("c", "break"):
-            for output in ("old.exr", "new.exr"):
-                status, said = self.control(event, 2500, "render", "-o", output, *LARGE)
-                self.assertEqual((status, said), (CONTROL_C_EXIT, INTERRUPTED), (event, output))
-                self.assertEqual(self.files(), {"old.exr": b"older"})
+        for output in ("old.exr", "new.exr"):
+            status, said = self.control("c", 2500, "render", "-o", output, *LARGE)
+            self.assertEqual((status, said), (CONTROL_C_EXIT, INTERRUPTED), output)
+            self.assertEqual(self.files(), {"old.exr": b"older"})
 
     def test_interrupted_twice(self):
         status, _ = self.control("twice", 2500, "render", "-o", "new.exr", *LARGE)
