@@ -33,7 +33,7 @@ def required(path):
 
 def parameters(*trees):
     """Yields the parameters of materials, boards, erosion and the sea: the members of the structs that have a range, with the defaults
-    that their functions return. A comment is "about, low to high unit, usually low to high: more"; angles become degrees."""
+    that their functions return. A comment's first line is "about, low to high unit, usually low to high: more"; angles become degrees."""
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
         if function.parameters or not function.name.text.endswith(("_default", "_erosion", "_sea")):
