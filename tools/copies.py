@@ -90,7 +90,7 @@ def controls(tree):
 def materials(of_materials, of_boards):
     """Returns the page's JSON: the controls of materials and of boards, and the program's presets that are materials."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
-    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|.*\.", key)}
+    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|finish|.*\.", key)}
                for name, preset in presets.items() if "material" in preset}
     lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets)
     return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'

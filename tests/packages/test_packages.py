@@ -387,7 +387,7 @@ class Node(Package):
             self.assertTrue("://" in link or (root / link).exists(), link)
 
     def text(self, original):
-        return texts()[original].encode()
+        return (texts()[original] if original in texts() else (SHADERS / original).read_text()).encode()
 
     def quoted(self, text):
         return text
