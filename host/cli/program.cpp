@@ -101,6 +101,7 @@ std::string where_to_look(const CLI::App& app, const std::string& word = "") {
 
 int parse_and_work(const Program& program, int argc, const char* const* argv) {
     CLI::App app(program.description, program.name);
+    app.allow_windows_style_options(false); // /name is a path
     app.footer(program.examples);
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);

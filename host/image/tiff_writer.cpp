@@ -36,8 +36,8 @@ TIFFFieldInfo field_info(std::uint32_t tag, TIFFDataType type, const char* name)
 
 struct TiffWriter::State {
     explicit State(const std::filesystem::path& path) : file(path) {
-        tiff.reset(
-            TIFFClientOpen(path.c_str(), "wl", this, nothing, write, seek, close, size, nullptr, nullptr));
+        tiff.reset(TIFFClientOpen(path.string().c_str(), "wl", this, nothing, write, seek, close, size,
+                                  nullptr, nullptr));
         if (!tiff)
             fail();
     }

@@ -393,6 +393,7 @@ Extent parse_size(const std::string& text) {
 int run(int argc, char** argv, const App::FrameHook& hook) {
     system::return_memory();
     CLI::App app("Interactive viewer for Gabor noise", "gabor-viewer");
+    app.allow_windows_style_options(false); // /name is a path
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
     std::string size;

@@ -13,7 +13,8 @@ import numpy as np
 from exr import Exr
 
 PROGRAM = os.environ["GABOR_PROGRAM"]
-NAME = pathlib.Path(PROGRAM).name
+WINDOWS = "GABOR_WINDOWS" in os.environ # gabor.exe runs in Wine: tests/windows has what differs
+NAME = pathlib.Path(PROGRAM).stem
 LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")), None) # Mesa's driver, if installed
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from exr import Exr, write_exr
 from png import read_grey_png
-from program import PROGRAM, RenderTest, gabor, start
+from program import PROGRAM, WINDOWS, RenderTest, gabor, start
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
@@ -200,6 +200,7 @@ class Periods(RenderTest):
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
+    @unittest.skipIf(WINDOWS, "a scene of POSIX")
     def test_a_terminal_shows_progress(self):
         try:
             own, other = pty.openpty()
@@ -320,6 +321,7 @@ class Messages(RenderTest):
         self.assertEqual(self.succeed("maps", "--size=12x8", "--device=0", "-o", "h", "--material=scratches"),
                          f"h: maps of 12 x 8 pixels, material scratches, on {name}\n")
 
+    @unittest.skipIf(WINDOWS, "a scene of POSIX")
     @unittest.skipIf(os.environ.get("GABOR_SANITIZE"), "sanitizers keep freed memory")
     def test_a_large_picture_needs_little_memory(self):
         # 256 MiB of pixels pass through bands of 16 MiB; writing to /dev/null keeps them off the disk.

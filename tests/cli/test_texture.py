@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 from exr import Exr, Texture
-from program import ProgramTest
+from program import WINDOWS, ProgramTest
 
 NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
 SCALED = 4 # the number of levels whose scales `gabor render` accepts for flat pictures
@@ -165,6 +165,7 @@ class Refused(TextureTest):
         for option in ("--texture", "--level=1"):
             self.assert_refused(["gabor texture --help"], "render", option, "--size=64x64", "-o", "new.exr")
 
+    @unittest.skipIf(WINDOWS, "a scene of POSIX")
     def test_a_full_disk(self):
         self.assert_fails(1, ["/dev/full"], "texture", "--size=64x64", "-o", "/dev/full")
 

@@ -67,6 +67,8 @@ void prepare() {
                          ::AttachConsole(ATTACH_PARENT_PROCESS);
     open_stream(stdout, STD_OUTPUT_HANDLE, console);
     open_stream(stderr, STD_ERROR_HANDLE, console);
+    // Windows buffers what goes to files and pipes, and end_by would lose it.
+    std::setvbuf(stderr, nullptr, _IONBF, 0);
     ::SetConsoleOutputCP(CP_UTF8);
 }
 
