@@ -1,5 +1,8 @@
 #include "viewer/widgets.hpp"
 
+#include "error.hpp"
+#include "viewer/document.hpp"
+
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -118,6 +121,30 @@ bool choose_number(const char* label, std::size_t& number, std::span<const std::
     if (before < tips.size())
         tooltip(tips[before]);
     return number != before;
+}
+
+bool colour_field(const char* label, std::array<float, 3>& colour) {
+    static std::string typed; // in the field that is being edited
+    const float between = ImGui::GetStyle().ItemInnerSpacing.x;
+    std::array<char, 32> code{};
+    hex(colour).copy(code.data(), code.size() - 1);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - between);
+    if (ImGui::InputText(fmt::format("##{}", label).c_str(), code.data(), code.size()))
+        typed = code.data();
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    ImGui::SameLine(0, between);
+    const bool picked = ImGui::ColorEdit3(label, colour.data(),
+                                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_DisplayHex);
+    if (!left)
+        return picked;
+    const std::string digits = typed.substr(typed.starts_with('#') ? 1 : 0);
+    if (digits.size() != 6 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+        throw RequestError(fmt::format("'{}' is no colour: expected six hexadecimal digits, such as {}",
+                                       typed, hex(colour)));
+    const unsigned long bits = std::stoul(digits, nullptr, 16);
+    for (std::size_t i = 0; i < 3; ++i)
+        colour[i] = static_cast<float>(bits >> (16 - 8 * i) & 255) / 255;
+    return true;
 }
 
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap) {

@@ -43,7 +43,8 @@ bool validating() {
     return !validation().empty();
 }
 
-// What to do if the Vulkan loader finds no driver. Environment variables can hide those that are installed.
+} // namespace
+
 std::string how_to_get_a_driver() {
     for (const char* name :
          {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_LOADER_DRIVERS_SELECT",
@@ -54,6 +55,8 @@ std::string how_to_get_a_driver() {
                                name, value);
     return "install one (mesa-vulkan-drivers has one that needs no GPU)";
 }
+
+namespace {
 
 // Throws RequestError if there is no Vulkan loader.
 vk::raii::Context load_vulkan() {

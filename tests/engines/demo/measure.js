@@ -193,14 +193,17 @@ const RUN = {
 async function checkTab(name, settings) {
     open(name, { ...settingsOf(name), x: 0.3, y: -0.2, zoom: 1.3, yaw: 0.8, pitch: 0.2, ...settings });
     drawWhole(1000 * TIME);
-    const shown = pixelsOf(gl, WIDTH, HEIGHT);
+    const shown = pixelsOf(gl, WIDTH, HEIGHT), text = textIn("GLSL");
+    // Where rows grow downwards, so does dFdy, and materials that take samples in a pixel take their mirror images.
+    const mirrored = text.includes("dFdy(") ? inGlsl(HEAD + text.replaceAll(/dFdy\(\w+\)/g, "(-$&)")) : shown;
     for (const offered of languages())
         if (device || offered !== "WGSL" && offered !== "TSL")
-            compare(`${name} with ${JSON.stringify(settings)}, ${offered}`, await RUN[offered](textIn(offered)), shown, 4);
+            compare(`${name} with ${JSON.stringify(settings)}, ${offered}`, await RUN[offered](textIn(offered)),
+                    ["HLSL", "WGSL"].includes(offered) ? mirrored : shown, 4);
 }
 
 globalThis.drawn = (async () => {
-    const chosen = new URLSearchParams(location.hash.slice(1)).get("only")?.split(".") ?? [...Object.keys(TABS), "page"];
+    const chosen = new URLSearchParams(location.search).get("only")?.split(".") ?? [...Object.keys(TABS), "page"];
     await until(() => gl, "has a context");
     drawing = true; // the page itself draws nothing until the end
     document.head.append(Object.assign(document.createElement("script"), { type: "importmap", textContent: JSON.stringify({ imports: {

@@ -162,7 +162,7 @@ const ADDRESSES = {
     "#tab=noise&frequency=99&seed=-3&look=loud&zoom=1e9&x=word": { frequency: 12, seed: 0, look: "relief", zoom: 50, x: 0 },
     "#tab=erosion&preset=canyon&pitch=9&distance=0&strength=no&gain=7": { pitch: 1.5, distance: 0.3, strength: 0.12, gain: 1, cover: "desert" },
     "#tab=sea&pitch=-1&moving=false&wind=1&yaw=2&distance=99": { pitch: 0.05, moving: false, wind: 2, yaw: 2, distance: 3 },
-    "#tab=materials&preset=marble&boards=true&marble.veins=99&shape=plane&zoom=0": { preset: "marble", boards: true, "marble.veins": 1.3, shape: "plane", zoom: 0.02 },
+    "#tab=materials&preset=marble&boards=true&marble.vein_strength=99&shape=plane&zoom=0": { preset: "marble", boards: true, "marble.vein_strength": 1.3, shape: "plane", zoom: 0.02 },
     "#tab=none&seed=8": { tab: "materials", seed: 8 },
 };
 function useAddresses() {
