@@ -139,7 +139,7 @@ class Workshop(EventsTest):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
         self.show_exports()
         self.command("maps 64")
-        self.keys("ctrl+e")
+        self.keys("ctrl+e", "Return")
         self.exported()
         steel = self.read("steel/base_color.png")
         self.pause(6) # the message stays until the next action

@@ -213,6 +213,8 @@ globalThis.drawn = (async () => {
         throw new Error("there is no WebGPU");
     const resized = (width, height) => Object.assign(view.style, { width, height });
     resized(`${WIDTH}px`, `${HEIGHT}px`);
+    for (let frame = 0; frame < 3; ++frame) // until the page has seen its new size
+        await new Promise(requestAnimationFrame);
     await dropPicture();
     await saveMap();
     for (const name of chosen)
