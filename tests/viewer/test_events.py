@@ -148,7 +148,7 @@ class Events(EventsTest):
     def test_an_export_is_not_lost_on_closing(self):
         for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
             self.open(*WINDOW, self.preset("body.json", width=size, height=size, view="sphere", frequency=2))
-            self.keys("ctrl+e", "ctrl+q")
+            self.keys("ctrl+e", "Return", "ctrl+q")
             self.assertTrue(complete or self.state["question"])
             self.keys(answer)
             self.end()

@@ -30,7 +30,7 @@ class Workshop(EventsTest):
         if kind == ANIMATION:
             self.click(472, y + 111) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
-        self.keys("ctrl+e")
+        self.keys("ctrl+e", "Return")
         self.exported()
 
     def test_presets_are_pictures(self):

@@ -204,7 +204,7 @@ async function checkTab(name, settings) {
 
 globalThis.drawn = (async () => {
     const chosen = new URLSearchParams(location.search).get("only")?.split(".") ?? [...Object.keys(TABS), "page"];
-    await until(() => gl, "has a context");
+    await until(() => gl && !drawing && !asked && !moving, "draws its first picture");
     drawing = true; // the page itself draws nothing until the end
     document.head.append(Object.assign(document.createElement("script"), { type: "importmap", textContent: JSON.stringify({ imports: {
         "three": three("three.webgpu"), "three/webgpu": three("three.webgpu"), "three/tsl": three("three.tsl") } }) }));

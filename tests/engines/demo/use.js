@@ -300,7 +300,7 @@ async function usePage(pixels) {
     history.replaceState(null, "", "#tab=erosion&bare");
     readAddress();
     watchUniforms();
-    for (const name of new URLSearchParams(location.search).get("only") === "page.short" ? ["noise"] : Object.keys(TABS)) {
+    for (const name of Object.keys(TABS)) {
         clickTab(name);
         if (state.tab !== name)
             wrong(`its button does not show ${name}`);
