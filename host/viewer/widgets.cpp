@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ranges>
 
 namespace gabor::viewer {
@@ -123,28 +124,41 @@ bool choose_number(const char* label, std::size_t& number, std::span<const std::
     return number != before;
 }
 
+namespace {
+
+// The colour of six hexadecimal digits after an optional #.
+std::optional<std::array<float, 3>> colour_of(std::string_view code) {
+    code.remove_prefix(code.starts_with('#') ? 1 : 0);
+    if (code.size() != 6 || code.find_first_not_of("0123456789abcdefABCDEF") != code.npos)
+        return {};
+    const unsigned long bits = std::stoul(std::string(code), nullptr, 16);
+    const auto part = [bits](int shift) { return static_cast<float>(bits >> shift & 255) / 255; };
+    return std::array{part(16), part(8), part(0)};
+}
+
+} // namespace
+
 bool colour_field(const char* label, std::array<float, 3>& colour) {
     static std::string typed; // in the field that is being edited
     const float between = ImGui::GetStyle().ItemInnerSpacing.x;
     std::array<char, 32> code{};
     hex(colour).copy(code.data(), code.size() - 1);
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - between);
-    if (ImGui::InputText(fmt::format("##{}", label).c_str(), code.data(), code.size()))
+    const bool edited = ImGui::InputText(fmt::format("##{}", label).c_str(), code.data(), code.size());
+    if (edited)
         typed = code.data();
     const bool left = ImGui::IsItemDeactivatedAfterEdit();
     ImGui::SameLine(0, between);
     const bool picked = ImGui::ColorEdit3(label, colour.data(),
                                           ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_DisplayHex);
-    if (!left)
+    if (!edited && !left)
         return picked;
-    const std::string digits = typed.substr(typed.starts_with('#') ? 1 : 0);
-    if (digits.size() != 6 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+    const auto read = colour_of(typed);
+    if (!read && left)
         throw RequestError(fmt::format("'{}' is no colour: expected six hexadecimal digits, such as {}",
                                        typed, hex(colour)));
-    const unsigned long bits = std::stoul(digits, nullptr, 16);
-    for (std::size_t i = 0; i < 3; ++i)
-        colour[i] = static_cast<float>(bits >> (16 - 8 * i) & 255) / 255;
-    return true;
+    colour = read.value_or(colour);
+    return picked || read;
 }
 
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap) {
