@@ -179,7 +179,7 @@ class Events(EventsTest):
         self.keys("ctrl+s")
         self.assertEqual(self.read("mine.json"), own)
         self.keys("Escape", "ctrl+e", "Return")
-        self.assertIn("Overwrite mine.exr", self.state["question"])
+        self.assertIn("mine.exr? This session", self.state["question"])
         self.assertEqual(self.read("mine.exr"), b"a picture")
         self.keys("Escape", "ctrl+e")
         self.assertIn("mine.exr, mine.png", self.state["question"]) # what it writes, before it asks whether to replace it
@@ -208,7 +208,7 @@ class Events(EventsTest):
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
         self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s", "Return") # back to before any file was opened
-        self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # the material shown on first start
+        self.assertEqual(json.loads(self.read("desert.json"))["material"], "sand") # the material shown on first start
         self.close()
 
     def test_a_session_that_was_killed_is_offered_again(self):
