@@ -1,8 +1,9 @@
 #pragma once
 
+#include "system/number.hpp"
+
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -63,7 +64,7 @@ inline std::optional<std::size_t> unlikeness(std::string_view word, std::string_
 /// Returns the number that the text is, if it is one.
 inline std::optional<double> number_of(std::string_view text) {
     double number = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto [stop, error] = system::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 

@@ -265,20 +265,19 @@ def profile_fit():
 
 
 def sea_fit():
-    """Amplitudes sqrt(s) (a + b s + c / (d - s)), with a mean square of 2, instead of sqrt(-2 ln(1 - s))."""
-    s = (np.arange(4096) + 0.5) / 4096
-    exact = np.sqrt(-2 * np.log1p(-s))
-
-    def amplitude(p):
-        return np.sqrt(s) * (p[0] + p[1] * s + p[2] / (p[3] - s))
-
-    def scaled(p):  # from b / a, c / a and d
-        p = np.array([1.0, p[0], p[1], p[2]])
-        return p * [*[sqrt(2 / (amplitude(p) ** 2).mean())] * 3, 1.0]
-
-    best = scaled(refine(lambda p: amplitude(scaled(p)) / exact, [0.3, 0.1, 1.1], np.ones(4096), least_squares))
-    return Fit("gabor_ocean.glsl", "gabor_impl_add_band", "amplitudes of normal waves, least squares of relative differences", best,
-               lambda p: sqrt(((amplitude(p) / exact - 1) ** 2).mean()), 0.005, 0.1)
+    """The energy e / (1 + 0.06 age) + n above which foam covers a share of the sea, by L = -ln(share). e is exponential, age uniform up
+    to a turn, and n normal with the deviation of the noises that tear foam."""
+    weights = 0.96, 0.72, *(sqrt(1 - 2 / pi) * w for w in (0.58, 0.44, 0.33)), 0.3
+    noise = sqrt(sum(w * w for w in weights)) * np.linspace(-5, 5, 401)
+    chance = np.exp(-np.linspace(-5, 5, 401) ** 2 / 2)
+    rates = 1 + 0.06 * 2 * pi * (np.arange(400) + 0.5) / 400
+    least = np.linspace(1.4, 12, 300)
+    share = np.array([(chance @ np.exp(-np.outer(np.maximum(x - noise, 0), rates))).mean() / chance.sum() for x in least])
+    seen = (share < 0.32) & (share > 3e-5)
+    rare, least = -np.log(share[seen]), least[seen]
+    basis = np.column_stack([rare**0, rare, np.log(rare), rare**2])
+    return Fit("gabor_ocean.glsl", "gabor_foam", "least squares of the energy, for shares of 3e-5 to 0.32", least_squares(basis, least),
+               lambda c: abs(basis @ c - least).max(), 1e-3, 0.1)
 
 
 def polynomial_fits():

@@ -1,4 +1,4 @@
-"""Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
+"""Other files made from the drop-ins: the page that contains them, and the program's tables of materials and of structs' members.
 tools/translate calls this module."""
 
 import base64
@@ -34,18 +34,22 @@ def required(path):
 
 
 def parameters(*trees):
-    """Yields the parameters of materials, boards and erosion: the members of the structs, with the defaults that their functions
-    return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
+    """Yields the parameters of materials, boards, erosion and the sea: the members of the structs that have a range, with the defaults
+    that their functions return. A comment is "about, low to high unit, usually low to high: more"; angles become degrees."""
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
-        if function.parameters or not function.name.text.endswith(("_default", "_erosion")):
+        if function.parameters or not function.name.text.endswith(("_default", "_erosion", "_sea")):
             continue
         call = function.body.parts[0].parts[0]
         for field, value in zip((field for line in call.callee.parts for field in line.parts), call.parts):
             numbers = [float(node.name.text) for node in value.walk() if node.kind == "number"]
             comment = next(comment.text for comment in tree.comments if comment.line == field.line).removeprefix("// ")
-            about, low, high, radians, usual_low, usual_high = re.fullmatch(
-                r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)( radians)?)?(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
+            about, low, high, unit, usual_low, usual_high = re.fullmatch(
+                r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)(?: (radians|metres per second|metres|seconds))?)?"
+                r"(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
+            radians = unit == "radians"
+            if low is None and field.type != "vec3":
+                continue
             kind = {"vec3": "colour", "int": "integer", "float": "angle" if radians else "number"}[field.type]
             bounds = [0, 1] if kind == "colour" else [float(low), float(high)]
             if radians:
@@ -54,16 +58,27 @@ def parameters(*trees):
             member = field.name.text
             about = (about or member).replace("unit of p", "kernel radius")
             about = f"{member} {about}" if about.startswith("of ") else about
-            option = f"{name.replace('_', '-')}.{member}" if made else member
-            yield option, kind, bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
+            option = f"{name.replace('_', '-')}.{member}" if made or name == "sea" else member
+            yield option, kind, "degrees" if radians else unit or "", bounds, list(map(float, usual)), numbers, about[0].upper() + about[1:]
 
 
 def struct_rows(*trees):
     """Returns the program's table of the parameters."""
-    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
-    for option, kind, *numbers, about in parameters(*trees):
+    lines = ["// Generated from gabor_materials.glsl, gabor_compose.glsl, gabor_erosion.glsl and gabor_ocean.glsl by tools/translate: change those files, not this one."]
+    for option, kind, unit, *numbers, about in parameters(*trees):
         braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in numbers)
-        lines.append(f'{{"{option}", Type::{kind}, {", ".join(braced)}, "{about}"}},')
+        lines.append(f'{{"{option}", Type::{kind}, "{unit}", {", ".join(braced)}, "{about}"}},')
+    return "\n".join(lines) + "\n"
+
+
+def material_rows(tree):
+    """Returns the program's list of materials: the name without prefix of a function and the struct of its parameters, and the name for
+    options."""
+    lines = ["// Generated from gabor_materials.glsl by tools/translate: change that file, not this one."]
+    for item in tree.items:
+        if item.kind == "function" and item.name.text.endswith("_default"):
+            name = item.name.text.removeprefix("gabor_").removesuffix("_default")
+            lines.append(f'GABOR_MATERIAL({name}, {item.type}, "{name.replace("_", "-")}")')
     return "\n".join(lines) + "\n"
 
 
@@ -71,7 +86,7 @@ def controls(tree):
     """Returns the page's JSON for the controls of materials, or of boards."""
     return ",\n".join(json.dumps({"name": option, "kind": kind, "min": usual[0], "max": usual[1],
                                   "value": numbers if kind == "colour" else numbers[0], "about": about})
-                      for option, kind, _, usual, numbers, about in parameters(tree))
+                      for option, kind, _, _, usual, numbers, about in parameters(tree))
 
 
 def with_members(presets, pattern):
@@ -94,9 +109,9 @@ def data(of_materials, of_boards, of_erosion):
 
 # What the page adds to drop-ins, in order, each after those before it; and macros. The page's sea has more bands than the translation.
 PASSES = {
-    "gabor_erosion": ((), ["landscape", "srgb"]),
-    "gabor_ocean": (("GABOR_OCEAN_BANDS=12",), ["seascape", "srgb"]),
-    "gabor_materials": ((), ["room", "light", "srgb", "ball"]),
+    ("gabor_fractal", "gabor_erosion"): ((), ["ground", "ranges", "landscape", "srgb"]),
+    ("gabor_ocean",): (("GABOR_OCEAN_BANDS=12",), ["seascape", "srgb"]),
+    ("gabor_materials",): ((), ["room", "light", "srgb", "ball"]),
 }
 FIT = DEMO.parent / "photograph.glsl"  # by gabor fit, of photograph.webp
 
@@ -112,21 +127,22 @@ def made(shader, translation):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `translation` a file in a language, given
     its macros and the files before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    parts = [trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion")]
+    parts = [trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion", "ocean")]
     yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*parts)
+    yield ROOT / "host" / "render" / "request" / "material_rows.inc", material_rows(trees["gabor_materials"])
     shaders = ROOT / "shaders"
     sources = [*DROP_INS, *(shaders / "passes").glob("*.glsl"), *(shaders / "translations").glob("*.wgsl"),
                *(shaders / "translations").glob("*.hlsl"), *(shaders / "nodes" / "three").glob("*.js")]
-    texts = {path.name: path.read_text() for path in sources} | {"presets.json": data(*parts)}
-    for name, (macros, passes) in PASSES.items():
-        drop_in = shaders / f"{name}.glsl"
-        before = (*needed(drop_in), drop_in)
+    texts = {path.name: path.read_text() for path in sources} | {"presets.json": data(*parts[:3])}
+    for names, (macros, passes) in PASSES.items():
+        drop_ins = [shaders / f"{name}.glsl" for name in names]
+        before = tuple(dict.fromkeys(each for path in drop_ins for each in (*needed(path), path)))
         for path in (shaders / "passes" / f"{each}.glsl" for each in passes):
             texts[f"{path.stem}.wgsl"] = translation(path, "wgsl", macros=macros, before=before)
             texts[f"{path.stem}.hlsl"] = translation(path, "hlsl", before=before)
             before = (*before, path)
-        if macros:
-            texts[f"{name}.wgsl"] = translation(drop_in, "wgsl", macros=macros, before=before[:len(needed(drop_in))])
+        for path in drop_ins if macros else ():
+            texts[f"{path.stem}.wgsl"] = translation(path, "wgsl", macros=macros, before=tuple(needed(path)))
     texts |= {FIT.name: FIT.read_text()} | {f"{FIT.stem}.{ending}": translation(FIT, ending) for ending in ("wgsl", "hlsl")}
     texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl", ".hlsl"))}
     pictures = {path.stem: base64.b64encode(path.read_bytes()).decode() for path in DEMO.parent.glob("*.webp")}

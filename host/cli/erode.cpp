@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/heightmap.hpp"
 #include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
@@ -27,9 +28,7 @@ namespace {
 
 using render::has_extension;
 
-constexpr int most_side = 16384;
 constexpr double typical_slope = 0.2; // rms, of mountains at the scale of large gullies
-constexpr render::Elevation typical_elevation{0, 1000};
 
 std::vector<std::string_view> terrain_presets() {
     std::vector<std::string_view> names = render::preset_names();
@@ -39,18 +38,18 @@ std::vector<std::string_view> terrain_presets() {
 }
 
 struct ErodeOptions {
-    std::filesystem::path map;
+    HeightmapOptions map;
     std::filesystem::path output;
     std::optional<std::filesystem::path> masks;
-    std::optional<std::string> size;
     std::optional<std::string> region;
-    std::optional<std::string> elevation;
-    std::optional<std::string> extent;
     std::optional<std::string> gully_width;
-    std::optional<std::string> nodata;
+    std::optional<std::string> offset;
+    std::optional<std::string> steepness;
+    std::optional<std::string> relief;
+    bool full_range = false;
+    bool only_height = false;
     std::string preset = "alps";
     ParameterOptions parameters; // the seed and the erosion; these override those of the preset
-    bool tileable = false;
     std::string compression = "none";
     std::string device;
 };
@@ -73,121 +72,147 @@ render::Request defaults_of(const std::string& preset) {
     return request;
 }
 
-// Returns a terrain with the map's erosion. `extent` is the map's width, if known.
-render::Request request_of(const ErodeOptions& options, std::optional<double> extent) {
+// Returns a terrain with the map's erosion.
+render::Request request_of(const ErodeOptions& options) {
     const std::vector<std::string_view> names = terrain_presets();
     const std::string preset(in_any_case(options.preset, names));
     if (std::ranges::find(names, preset) == names.end())
         throw RequestError(fmt::format("--preset '{}': {}", options.preset, expected(options.preset, names)));
     render::Request request = defaults_of(preset);
-    if (options.gully_width) {
-        if (!extent)
-            throw RequestError("--gully-width needs the width of the map: give --extent");
-        const double width =
-            parse_positive("--gully-width", *options.gully_width, "a width above 0, in the unit of --extent");
-        const double frequency = *extent / render::preset_side / width;
-        const render::Parameter& parameter = render::parameter("gully_frequency");
-        if (!(frequency >= parameter.range.low && frequency <= parameter.range.high))
-            refuse("--gully-width", *options.gully_width, "a width that suits the map");
-        parameter.place.put(request, frequency);
-    }
     render::set(request, given_values(options.parameters), render::option_name);
     return request;
 }
 
-using Open = std::function<std::unique_ptr<image::PictureReader>()>;
-
-// Returns a function that opens the map.
-Open reader_of(const ErodeOptions& options) {
-    std::optional<std::array<int, 2>> size;
-    if (options.size)
-        size = parse_size(*options.size, most_side);
-    return [path = options.map, size] {
-        return size ? image::open_raw(path, (*size)[0], (*size)[1])
-                    : image::open_picture(path, "height",
-                                          "; heights without a header need --size WIDTHxHEIGHT");
-    };
+double gully_frequency(const render::Request& request) {
+    return std::get<double>(*render::parameter("gully_frequency").get(request));
 }
 
-// A map, its width in the unit of its heights, and what erosion needs to know about it.
-struct Map : render::HeightMap {
-    double extent = 0;
-    std::array<int, 2> corner{}; // of the data window
+// The place of the map in a world, whose maps agree if they also share their steepness, relief and gullies.
+std::optional<std::array<int, 2>> world_of(const ErodeOptions& options) {
+    if (!options.offset)
+        return {};
+    constexpr int furthest = 1 << 24; // so that the pixels between two kernels stay far below 2^31
+    constexpr std::string_view accepted = "X,Y, whole pixels from -16777216 to 16777216";
+    const auto offset = parse_numbers<int, 2>("--offset", *options.offset, ',', accepted);
+    if (std::ranges::min(offset) < -furthest || std::ranges::max(offset) > furthest)
+        refuse("--offset", *options.offset, accepted);
+    if (!options.steepness || !options.relief || !options.gully_width)
+        throw RequestError("--offset needs --steepness, --relief and --gully-width, the same for each map");
+    if (options.map.tileable)
+        throw RequestError("--offset and --tileable exclude each other: a tile is its own world");
+    return offset;
+}
+
+struct Map : Heightmap {
+    explicit Map(Heightmap map) : Heightmap(std::move(map)), side(extent()[0]) {}
+
+    double side; // what counts as render::preset_side, in the unit of heights
     render::SmoothedMap smoothed;
 };
 
-// Opens and smooths the map. Prints what it has to guess.
-Map map_of(const ErodeOptions& options, const Open& open, const image::PictureReader::Format& format,
-           std::optional<render::Elevation> heights, std::optional<double> extent, double gully_frequency) {
-    Map map;
-    map.open = open;
-    const std::string name = options.map.string();
-    if (std::max(format.width, format.height) > most_side)
-        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported", name,
-                                       format.width, format.height, most_side));
-    map.width = format.width;
-    map.height = format.height;
-    map.channels = format.channels;
-    map.tileable = options.tileable;
-    map.corner = {format.left, format.top};
-    if (options.nodata)
-        map.missing = parse_numbers<float, 1>("--nodata", *options.nodata, ',', "a number")[0];
+// Gives gullies their width. In a world, does so by the side, so that the width of the map does not matter.
+void set_gully_width(const ErodeOptions& options, Map& map, render::Request& request) {
+    if (!options.gully_width)
+        return;
+    if (is_given(options.parameters, "gully_frequency"))
+        throw RequestError("--gully-width and --gully-frequency say the same: give one");
+    if (!map.has_extent)
+        throw RequestError("--gully-width needs the width of the map: give --extent");
+    const double width =
+        parse_positive("--gully-width", *options.gully_width, "a width above 0, in the unit of --extent");
+    const double frequency = map.side / render::preset_side / width;
+    const render::Parameter& parameter = render::parameter("gully_frequency");
+    if (!(frequency >= parameter.range.low && frequency <= parameter.range.high))
+        refuse("--gully-width", *options.gully_width, "a width that suits the map");
+    if (map.world)
+        map.side = width * render::preset_side * gully_frequency(request);
     else
-        map.missing = format.missing;
-    if (format.bits < 32) {
-        const render::Elevation elevation =
-            heights.value_or(extent ? render::Elevation{0, *extent / 8} : typical_elevation);
-        map.scale = elevation.high - elevation.low;
-        map.offset = elevation.low;
-        if (map.missing) // --nodata is the value in the file
-            map.missing = *map.missing / static_cast<float>(format.bits == 8 ? 255 : 65535);
-    } else if (options.elevation) {
-        throw RequestError("--elevation is for maps of integers: this one has heights");
-    }
-    const double gully = map.width / render::preset_side / gully_frequency; // pixels
+        parameter.place.put(request, frequency);
+}
+
+// Prints what the map's file states, and what is a guess.
+void print_scale(const ErodeOptions& options, const Map& map) {
+    if (map.has_extent && !map.guessed_heights && map.unit.empty() && map.remark.empty())
+        return;
+    const auto [width, height] = map.extent();
+    fmt::print("{}: heights from {:.6g} to {:.6g}{}, {:.4g} wide and {:.4g} high{}{}{}\n",
+               options.map.path.string(), map.smoothed.range[0], map.smoothed.range[1],
+               map.guessed_heights ? " (a guess: give --elevation)" : "", width, height,
+               map.has_extent ? "" : " (a guess from typical slopes: give --extent)",
+               map.unit.empty() ? "" : fmt::format(", in {}", map.unit),
+               map.remark.empty() ? "" : "; " + map.remark);
+}
+
+// Opens and smooths the map. Prints what it has to guess.
+Map map_of(const ErodeOptions& options, render::Request& request) {
+    Map map(open_heightmap(options.map));
+    map.world = world_of(options);
+    set_gully_width(options, map, request);
+    const double gully = map.side / map.pixel[0] / render::preset_side / gully_frequency(request); // pixels
     map.smoothed = render::smoothed(map, std::max(gully / 7, 1.0));
-    if (format.bits == 8)
-        fmt::print(stderr, "gabor: warning: '{}' has 8 bits per height: its steps show as terraces\n", name);
-    map.extent = extent                   ? *extent
-                 : map.smoothed.slope > 0 ? map.smoothed.slope * map.width / typical_slope
-                                          : map.width;
-    const bool guessed = format.bits < 32 && !heights;
-    if (!extent || guessed)
-        fmt::print("{}: heights from {:.6g} to {:.6g}{}, {:.4g} wide{}\n", name, map.smoothed.range[0],
-                   map.smoothed.range[1], guessed ? " (a guess: give --elevation)" : "", map.extent,
-                   extent ? "" : " (a guess from typical slopes: give --extent)");
+    if (map.has_steps)
+        fmt::print(stderr, "gabor: warning: '{}' has 8 bits per height: its steps show as terraces\n",
+                   options.map.path.string());
+    if (!map.has_extent && map.smoothed.slope > 0) {
+        const double pixel = map.smoothed.slope / typical_slope;
+        for (double* length : {&map.pixel[0], &map.pixel[1], &map.side})
+            *length *= pixel;
+        map.smoothed.slope = typical_slope;
+    }
+    print_scale(options, map);
     return map;
+}
+
+// Lets the map count as part of a world with this steepness and these heights.
+void set_world(const ErodeOptions& options, render::SmoothedMap& smoothed) {
+    if (options.steepness)
+        smoothed.slope = parse_positive("--steepness", *options.steepness, "an rms slope above 0");
+    if (!options.relief)
+        return;
+    constexpr std::string_view accepted = "LOW,HIGH, the lower height first";
+    const auto relief = parse_numbers<float, 2>("--relief", *options.relief, ',', accepted);
+    if (!(relief[0] < relief[1] && std::isfinite(relief[1] - relief[0])))
+        refuse("--relief", *options.relief, accepted);
+    if (!(relief[0] <= smoothed.range[0] && relief[1] >= smoothed.range[1]))
+        refuse("--relief", *options.relief,
+               fmt::format("a range that holds the heights of this map, {:.6g} to {:.6g}", smoothed.range[0],
+                           smoothed.range[1]));
+    smoothed.range = relief;
 }
 
 // Makes erosion change heights by at most an eighth of their range.
 void limit_strength(render::Request& request, const Map& map) {
     const double most = (map.smoothed.range[1] - map.smoothed.range[0]) / 8;
-    const double reach = render::erosion_reach(map.smoothed, map.width, map.extent, request);
+    const double reach = render::erosion_reach(map.smoothed, map.side, request);
     if (reach > most)
         multiply(request, "strength", most / reach);
 }
 
 void check_output(const ErodeOptions& options) {
-    check_extension("-o", options.output, {".exr", ".png", ".r16"}, true);
+    check_extension("-o", options.output,
+                    {render::height_extensions.begin(), render::height_extensions.end()}, true);
     std::error_code ignored;
-    if (std::filesystem::equivalent(options.map, options.output, ignored))
+    if (std::filesystem::equivalent(options.map.path, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
-    if (!has_extension(options.output, ".exr") && !options.masks && options.compression != "none")
-        throw RequestError("--compression requires an EXR");
+    if (options.only_height && !has_extension(options.output, ".exr"))
+        throw RequestError("--only-height is for an EXR: other files have nothing else");
+    check_height_options(options.output, options.full_range, options.compression, options.masks.has_value());
 }
 
 // Returns the text of the output's header. `join` refuses pieces whose headers differ.
 std::string header_of(const ErodeOptions& options, const Map& map, const render::Request& request) {
-    nlohmann::ordered_json json{{"eroded", options.map.filename().string()},
+    nlohmann::ordered_json json{{"eroded", options.map.path.filename().string()},
                                 {"width", map.width},
                                 {"height", map.height},
                                 {"heights", map.smoothed.range},
                                 {"slope", map.smoothed.slope},
-                                {"extent", map.extent},
+                                {"extent", map.extent()},
                                 {"tileable", map.tileable}};
+    if (map.world)
+        json["offset"] = *map.world;
     if (map.missing)
-        json["nodata"] = map.offset + map.scale * *map.missing;
+        json["nodata"] = *map.missing_height();
     for (const render::Parameter& p : render::parameters())
         if (p.name == "seed" || p.group == render::Parameter::Group::erosion)
             json[std::string(p.name)] = render::to_text(*p.get(request));
@@ -199,7 +224,6 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
            const render::Request& request, const image::Rect& region, double reach) {
     constexpr std::size_t kept = passes::erosion_cover; // the channels of an EXR without masks
     const std::size_t channels = options.masks ? render::erosion_channels.size() : kept;
-    const double pixel = map.extent / map.width;
     const auto [left, top] = map.corner;
     const image::ExrHeader header{
         .picture = {left, top, map.width, map.height},
@@ -213,22 +237,28 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
     std::optional<render::HeightWriter> heights;
     std::optional<render::MaskWriter> masks;
     if (options.masks)
-        masks.emplace(*options.masks, header, pixel, reach);
-    if (has_extension(options.output, ".exr"))
+        masks.emplace(*options.masks, header, map.pixel, map.missing_height(), reach);
+    if (has_extension(options.output, ".exr") && !options.only_height)
         exr.emplace(options.output, header);
     else
-        heights.emplace(options.output, region,
-                        render::Elevation{map.smoothed.range[0] - reach, map.smoothed.range[1] + reach},
-                        pixel);
+        heights.emplace(
+            options.output, region,
+            render::HeightFormat{.elevation = {map.smoothed.range[0] - reach, map.smoothed.range[1] + reach},
+                                 .full_range = options.full_range,
+                                 .pixel = map.pixel,
+                                 .missing = map.missing_height(),
+                                 .geo = image::moved(map.geo.exist() ? map.geo : image::plain_tags(map.pixel),
+                                                     region.x, region.y),
+                                 .exr = header});
     {
         std::vector<float> without_cover;
         Progress progress("eroding", region.pixels());
-        render::erode(device, map, map.smoothed, map.extent, request, region, masks.has_value(),
+        render::erode(device, map, map.smoothed, map.side, request, region, masks.has_value(),
                       [&](std::span<const float> rows) {
                           if (masks)
                               masks->write_rows(rows);
                           if (heights) {
-                              heights->write_rows(rows, channels, 0);
+                              heights->write_rows(rows, channels, passes::erosion_height);
                           } else if (!masks) {
                               exr->write_rows(rows);
                           } else {
@@ -248,30 +278,17 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
 
 void erode(const ErodeOptions& options) {
     check_output(options);
-    const Open open = reader_of(options);
-    const image::PictureReader::Format format = open()->format();
-    std::optional<render::Elevation> heights;
-    std::optional<double> extent = format.extent;
-    if (options.elevation)
-        heights = parse_elevation(*options.elevation);
-    if (options.extent)
-        extent = parse_positive("--extent", *options.extent, "the width of the map, above 0");
-    if (!options.elevation && !options.extent)
-        if (const auto scale = render::scale_beside(options.map)) {
-            heights = scale->elevation;
-            extent = scale->extent;
-        }
-    render::Request request = request_of(options, extent);
-    const Map map = map_of(options, open, format, heights, extent,
-                           std::get<double>(*render::parameter("gully_frequency").get(request)));
+    render::Request request = request_of(options);
+    Map map = map_of(options, request);
+    set_world(options, map.smoothed);
     if (!is_given(options.parameters, "strength"))
         limit_strength(request, map);
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};
     check_within(region, map.width, map.height, "--region", "map");
-    const double reach = render::erosion_reach(map.smoothed, map.width, map.extent, request);
+    const double reach = render::erosion_reach(map.smoothed, map.side, request);
 
-    note_interrupts();
+    system::note_interrupts();
     const vulkan::Device device(options.device);
     write(options, device, map, request, region, reach);
     fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,
@@ -283,33 +300,37 @@ void erode(const ErodeOptions& options) {
 void add_erode_command(CLI::App& app) {
     auto options = std::make_shared<ErodeOptions>();
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
-    add_option(
-        *command, "MAP", options->map, "FILE",
-        "EXR or TIFF with heights, 16-bit PNG; or, with --size, 16-bit integers or floats without a header")
-        ->required();
+    add_heightmap(*command, options->map);
     begin_group(*command, "Output");
-    add_option(*command, "-o,--output", options->output, "FILE",
-               "EXR with height, slope, ridge and erosion; or 16-bit heights in a PNG or .r16, with their "
-               "scale in a .json file beside it")
+    add_option(
+        *command, "-o,--output", options->output, "FILE",
+        "EXR with the height in channel Y, slope, ridge and erosion; or the height alone: floats in a "
+        "TIFF, with the place of a GeoTIFF, or in .r32; 16 bits in a PNG, .r16 or .raw. All but EXR and "
+        "TIFF have their scale in a .json file beside them")
         ->required();
+    command->add_flag("--only-height", options->only_height,
+                      "Write an EXR with channel Y alone, which every program shows");
+    add_full_range_option(*command, options->full_range);
     add_option(
         *command, "--masks", options->masks, "FOLDER",
         "Also write masks to this folder: 16-bit PNGs of ridges, creases, slope, erosion, and the shares of "
-        "grass, scree, rock and snow; masks.exr with all of them, and masks.json with their scale");
+        "grass, scree, rock and snow; masks.exr with the height and all of them, and masks.json with their "
+        "scale");
     add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
                "Write only this part of the eroded map [all of it]");
     add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
-    begin_group(*command, "Map");
-    add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
-               "Size of a file without a header, such as .r16, .raw or .r32");
-    add_option(*command, "--extent", options->extent, "NUMBER",
-               "Width of the map, in the same unit as its heights; without it, that of a GeoTIFF or of the "
-               ".json file beside a map that gabor wrote, or a guess from the slopes, which is printed");
-    add_elevation_option(*command, options->elevation, "0 to extent/8 if --extent is given, else 0,1000");
-    add_option(*command, "--nodata", options->nodata, "NUMBER",
-               "Value of pixels that have no height; without it, that of a GeoTIFF");
-    command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");
+    add_heightmap_options(*command, options->map);
+    begin_group(*command, "World");
+    add_option(
+        *command, "--offset", options->offset, "X,Y",
+        "Place of the map's first pixel in a world, in pixels: overlapping maps then agree, but for a "
+        "margin of two thirds of a gully's width. It requires the next two options and --gully-width, the "
+        "same for each map");
+    add_option(*command, "--steepness", options->steepness, "NUMBER",
+               "The world's rms slope; without it, the map's, which is slope in the header of the EXR");
+    add_option(*command, "--relief", options->relief, "LOW,HIGH",
+               "The world's lowest and highest height; without it, the map's");
     begin_group(*command, "Erosion");
     add_option(*command, "--gully-width", options->gully_width, "NUMBER",
                "Width of the widest gullies, in the unit of --extent, in place of --gully-frequency");

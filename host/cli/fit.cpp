@@ -50,7 +50,7 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
 }
 
 void fit_picture(const FitOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     const int lobes = parse_integer("--lobes", options.lobes, 1, fit::most_lobes);
     const std::optional<std::string> name =
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
@@ -80,7 +80,7 @@ void add_fit_command(CLI::App& app) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
     add_option(*command, "IMAGE", options->image, "FILE",
-               "The photograph: PNG, JPEG, TGA or OpenEXR, at least 128x128 pixels")
+               "The photograph: PNG, JPEG, TGA, TIFF or OpenEXR, at least 128x128 pixels")
         ->required();
     add_option(*command, "-o,--output", options->output, "FILE",
                "Output: a preset NAME.json for gabor render --preset")

@@ -42,7 +42,7 @@ void join(const JoinOptions& options) {
                                            options.output));
         pixels += image::ExrReader(region).header().window.pixels();
     }
-    note_interrupts();
+    system::note_interrupts();
     Progress progress("joining", pixels);
     const auto advance = [&](std::uint64_t done) { progress.advance(done); };
     const image::Rect picture =

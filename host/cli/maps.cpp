@@ -19,8 +19,8 @@ struct MapsOptions : RequestOptions {
     std::string normal_bits = "16";
     std::optional<std::string> metres;
     bool texture = false;
-    bool half = false;
-    std::string compression = "none";
+    bool floats = false;
+    std::string compression = "rle";
     std::string device;
 };
 
@@ -49,12 +49,10 @@ render::Request request_of(const MapsOptions& options) {
 }
 
 void render_maps(const MapsOptions& options) {
-    note_interrupts();
-    if (options.half && !options.texture)
-        throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
+    system::note_interrupts();
     if (options.normal_bits != "8" && options.normal_bits != "16")
         refuse("--normal-bits", options.normal_bits, "8 or 16");
-    render::MapFormat format{options.directx, options.texture, options.half,
+    render::MapFormat format{options.directx, options.texture, options.floats,
                              options.normal_bits == "8" ? 8 : 16, options.compression};
     if (options.metres)
         format.metres = parse_positive("--width-metres", *options.metres, "a width above 0");
@@ -106,7 +104,8 @@ terrain's erosion.
                       "For a material: write maps.exr as a tiled, mip-mapped texture, with more roughness "
                       "where its normals "
                       "are averaged; both sides must be powers of two");
-    command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
+    command->add_flag("--float", options->floats,
+                      "Store 32-bit floats in maps.exr; otherwise only heights, in metres, have 32 bits");
     add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
     using Group = render::Parameter::Group;

@@ -57,6 +57,25 @@ void add_elevation_option(CLI::App& command, std::optional<std::string>& elevati
                fmt::format("Heights that 0 and 65535 stand for in 16-bit files [{}]", help));
 }
 
+void add_full_range_option(CLI::App& command, bool& full_range) {
+    command.add_flag(
+        "--full-range", full_range,
+        "Stretch 16-bit heights, so that the lowest is 0 and the highest 65535; regions then differ");
+}
+
+void check_height_options(const std::filesystem::path& path, bool full_range, std::string_view compression,
+                          bool exr) {
+    if (full_range && !render::is_16_bit(path))
+        throw RequestError(fmt::format(
+            "--full-range is for 16-bit heights in .png, .r16 or .raw: '{}' has floats", path.string()));
+    if (compression == "none" || exr || render::has_extension(path, ".exr"))
+        return;
+    if (!render::is_tiff(path))
+        throw RequestError("--compression requires an EXR or a TIFF");
+    if (compression != "zip")
+        throw RequestError(fmt::format("--compression '{}': expected none or zip for a TIFF", compression));
+}
+
 render::Elevation parse_elevation(std::string_view text) {
     constexpr std::string_view accepted = "LOW,HIGH, the lower height first";
     const auto [low, high] = parse_numbers<double, 2>("--elevation", text, ',', accepted);

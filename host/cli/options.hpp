@@ -5,12 +5,12 @@
 #include "error.hpp"
 #include "render/output/heightmap.hpp"
 #include "render/request/parameters.hpp"
+#include "system/number.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,6 +32,13 @@ void begin_group(CLI::App& command, const std::string& name);
 
 /// Adds an option for a range of heights; `help` says what 0 and 65535 stand for without it.
 void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help);
+
+/// Adds the option that stretches 16-bit heights.
+void add_full_range_option(CLI::App& command, bool& full_range);
+
+/// Checks the options of a heightmap that may have an EXR beside it.
+void check_height_options(const std::filesystem::path& path, bool full_range, std::string_view compression,
+                          bool exr);
 
 /// Reads LOW,HIGH.
 render::Elevation parse_elevation(std::string_view text);
@@ -63,7 +70,7 @@ std::array<Number, count> parse_numbers(std::string_view option, std::string_vie
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0 && (at == end || *at++ != separator))
             refuse(option, text, accepted);
-        const auto [stop, error] = std::from_chars(at, end, values[i]);
+        const auto [stop, error] = system::from_chars(at, end, values[i]);
         if (error != std::errc())
             refuse(option, text, accepted);
         at = stop;

@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "names.hpp"
+#include "system/process.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,17 +13,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <exception>
-#include <fcntl.h>
 #include <memory>
 #include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -165,28 +163,18 @@ void add_compression_option(CLI::App& command, std::string& compression) {
                         fmt::format("--compression '{}': {}", name, expected(name, image::exr_compressions)));
             },
             fmt::format("Lossless compression of the EXR, which helps where much of the picture is equal, "
-                        "such as sky, and hardly with noise: {} [none]",
-                        accepted))
+                        "such as sky, and hardly with noise: {} [{}]",
+                        accepted, compression))
         ->type_name("NAME");
 }
 
 int run(const Program& program, int argc, const char* const* argv) {
-    // If a standard stream is closed, the next file to be opened would take its descriptor and receive what
-    // is printed. Open a read-only file in its place, so that printing fails instead.
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(stream, F_GETFD) < 0)
-            ::open("/dev/null", O_RDONLY);
-    // Report a closed pipe and a file that is too large like any other error.
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
+    system::prepare();
     try {
         return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {
         fail(program, 1, "interrupted; no half-written file was kept");
-        // Terminate by the same signal, so that shells and job schedulers see the reason.
-        std::signal(interrupted.signal, SIG_DFL);
-        std::raise(interrupted.signal);
-        return 1;
+        system::end_by(interrupted.by);
     }
 }
 

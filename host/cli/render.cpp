@@ -23,6 +23,7 @@ struct RenderOptions : RequestOptions {
     std::string device;
     std::optional<std::string> heightmap;
     std::optional<std::string> elevation;
+    bool full_range = false;
 };
 
 void warn_above_nyquist(const render::Request& request) {
@@ -62,8 +63,11 @@ render::Files files_of(const RenderOptions& options) {
             if (&path != &other && path && other && same_file(*path, *other))
                 throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
                                                other_name, *path));
-    if (options.elevation && !options.heightmap)
-        throw RequestError("--elevation requires --write-heightmap");
+    if ((options.elevation || options.full_range) && !options.heightmap)
+        throw RequestError(
+            fmt::format("{} requires --write-heightmap", options.elevation ? "--elevation" : "--full-range"));
+    if (options.elevation && options.full_range)
+        throw RequestError("--elevation and --full-range exclude each other");
 
     render::Files files;
     if (options.output) {
@@ -76,11 +80,21 @@ render::Files files_of(const RenderOptions& options) {
         check_extension("--png", *options.png, {".png"}, false);
         files.png = *options.png;
     }
-    if (options.heightmap)
+    if (options.heightmap) {
         files.heightmap = *options.heightmap;
-    if (options.elevation)
+        check_extension("--write-heightmap", *files.heightmap,
+                        {render::height_extensions.begin(), render::height_extensions.end()}, true);
+        check_height_options(*files.heightmap, options.full_range, options.compression,
+                             files.exr.has_value());
+    }
+    if (options.elevation) {
         files.elevation = parse_elevation(*options.elevation);
-    if (!files.exr && options.compression != "none")
+        if (!render::is_16_bit(*files.heightmap))
+            throw RequestError(
+                fmt::format("--elevation is for 16-bit heights: '{}' has floats", files.heightmap->string()));
+    }
+    files.full_range = options.full_range;
+    if (!files.exr && !files.heightmap && options.compression != "none")
         throw RequestError("--compression requires an EXR");
     files.compression = options.compression;
     return files;
@@ -98,7 +112,7 @@ void check_channels(const RenderOptions& options, const render::Files& files) {
 }
 
 void render_pictures(const RenderOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE");
     const Asked asked = asked_by(options);
@@ -167,11 +181,12 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("View and light", render::Parameter::Group::view);
     parameters("View and light", render::Parameter::Group::light);
     parameters("Terrain", render::Parameter::Group::terrain);
-    option(
-        "--write-heightmap", options->heightmap, "FILE",
-        "Also write 16-bit heights to this PNG or .r16, with their scale in a .json file beside it (for the "
-        "terrain view)");
+    option("--write-heightmap", options->heightmap, "FILE",
+           "Also write the heights to this file: 16 bits in a PNG, .r16 or .raw, floats in an EXR, TIFF or "
+           ".r32, "
+           "with their scale in a .json file beside all but a TIFF (for the terrain view)");
     add_elevation_option(*command, options->elevation, "the full possible range");
+    add_full_range_option(*command, options->full_range);
     parameters("Ocean", render::Parameter::Group::sea);
     for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material,
                              render::Parameter::Group::boards})

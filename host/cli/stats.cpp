@@ -218,7 +218,7 @@ void report_statistics(const StatsOptions& options) {
     if (options.json && *options.json != "-")
         output.emplace(*options.json);
 
-    note_interrupts();
+    system::note_interrupts();
     const Measured measured = measure(options);
     if (options.json == "-")
         fmt::print("{}", to_json(measured));

@@ -1,15 +1,16 @@
 #pragma once
 
 #include "seconds.hpp"
+#include "system/process.hpp"
 
 #include <cstdint>
 #include <string>
 
 namespace gabor::cli {
 
-/// Thrown by Progress::advance and `check_interrupt` after SIGINT or SIGTERM.
+/// Thrown by Progress::advance and `check_interrupt` after a request to end, such as Ctrl-C.
 struct Interrupted {
-    int signal;
+    int by; ///< as from system::interrupt
 };
 
 /// Shows the progress of a long task and the remaining time on the terminal's last line. Prints nothing in
@@ -19,7 +20,7 @@ class Progress {
     Progress(std::string label, std::uint64_t total);
     ~Progress();
 
-    /// Counts finished work. Throws Interrupted if a signal noted by `note_interrupts` has arrived.
+    /// Counts finished work. Throws Interrupted if system::note_interrupts noted a request to end.
     void advance(std::uint64_t by);
 
   private:
@@ -32,14 +33,8 @@ class Progress {
     bool visible_ = false;
 };
 
-/// Makes SIGINT and SIGTERM set a flag instead of terminating the process. A process that has not ended a
-/// second later terminates at once.
-void note_interrupts();
-
-/// Throws Interrupted after SIGINT or SIGTERM. Long tasks without a Progress must call this function.
+/// Throws Interrupted if system::note_interrupts noted a request to end. Long tasks without a Progress must
+/// call this function.
 void check_interrupt();
-
-/// The largest resident memory of this process so far, in bytes.
-long peak_memory();
 
 } // namespace gabor::cli

@@ -20,7 +20,7 @@ struct TextureOptions : RequestOptions {
 };
 
 void render_textures(const TextureOptions& options) {
-    note_interrupts();
+    system::note_interrupts();
     check_extension("-o", options.output, {".exr"}, false);
     if (options.level && options.half)
         throw RequestError("--half and --level cannot be combined: a level is written as a plain picture");

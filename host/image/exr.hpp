@@ -35,13 +35,12 @@ struct ExrHeader {
     /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level halves both sides of the previous one,
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
-        bool half = false;     ///< 16-bit floats instead of 32-bit
         bool periodic = false; ///< whether the texture repeats; otherwise it is black beyond its edges
     };
 
     Rect picture;                      ///< EXR's display window: the whole picture
     Rect window;                       ///< EXR's data window: the part of the picture in this file
-    std::vector<std::string> channels; ///< names of float channels
+    std::vector<std::string> channels; ///< names of the channels, 32-bit floats
     std::string parameters = {};       ///< stored as the string attribute `gabor`
     std::string software = {};         ///< the program and driver; stored as `software` unless empty
     /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
@@ -49,9 +48,13 @@ struct ExrHeader {
     std::string compression = "none"; ///< one of exr_compressions
     /// If set, writes a texture; the window must be the whole picture at 0, 0.
     std::optional<Texture> texture = {};
+    std::vector<std::string> halves = {}; ///< the channels that are stored as 16-bit floats
+    /// If set, the picture shows this many metres from left to right, and lengths among the channels are in
+    /// metres: the attributes `gabor.width` and `gabor.unit`.
+    std::optional<double> metres = {};
 };
 
-/// Writes a picture as 32-bit float scanlines, or a texture. The file appears under its name at `commit`;
+/// Writes a picture as scanlines, or a texture. The file appears under its name at `commit`;
 /// destroying the writer earlier leaves nothing behind and keeps an existing file.
 class ExrWriter {
   public:

@@ -47,7 +47,7 @@ class ExrContext {
         settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
         // Strict mode reports unfinished files and whatever the C++ classes cannot handle.
         settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-        require(exr_start_read(&context_, path.c_str(), &settings));
+        require(exr_start_read(&context_, path.string().c_str(), &settings));
     }
     ~ExrContext() { exr_finish(&context_); }
     ExrContext(const ExrContext&) = delete;

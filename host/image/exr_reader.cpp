@@ -37,7 +37,7 @@ Rect to_rect(const Imath::Box2i& box) {
 }
 
 std::unique_ptr<Imf::InputFile> open_exr(const fs::path& path, int threads) try {
-    return std::make_unique<Imf::InputFile>(path.c_str(), threads);
+    return std::make_unique<Imf::InputFile>(path.string().c_str(), threads);
 } catch (const Iex::BaseExc& error) {
     refuse_damaged_exr(path, error.what());
 }

@@ -18,13 +18,17 @@ using namespace std::string_view_literals;
 
 class JpegPicture : public PictureReader {
   public:
-    JpegPicture(const std::filesystem::path& path, File file) : path_(path), file_(std::move(file)) {
+    JpegPicture(const std::filesystem::path& path, File file, std::span<const unsigned char> memory)
+        : path_(path), file_(std::move(file)) {
         jpeg_.err = jpeg_std_error(&errors_);
         errors_.error_exit = on_error;
         errors_.emit_message = on_message;
-        guarded([this] {
+        guarded([this, memory] {
             jpeg_create_decompress(&jpeg_);
-            jpeg_stdio_src(&jpeg_, file_.get());
+            if (file_)
+                jpeg_stdio_src(&jpeg_, file_.get());
+            else
+                jpeg_mem_src(&jpeg_, memory.data(), static_cast<unsigned long>(memory.size()));
             jpeg_save_markers(&jpeg_, JPEG_APP0 + 1, 0xffff);
             jpeg_save_markers(&jpeg_, JPEG_APP0 + 2, 0xffff);
             jpeg_read_header(&jpeg_, TRUE);
@@ -97,7 +101,12 @@ class JpegPicture : public PictureReader {
 } // namespace
 
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file) {
-    return std::make_unique<JpegPicture>(path, std::move(file));
+    return std::make_unique<JpegPicture>(path, std::move(file), std::span<const unsigned char>());
+}
+
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path,
+                                         std::span<const unsigned char> memory) {
+    return std::make_unique<JpegPicture>(path, File(nullptr, std::fclose), memory);
 }
 
 } // namespace gabor::image

@@ -1,17 +1,18 @@
 #pragma once
 
+#include "system/new_file.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 namespace gabor::image {
 
-/// A file that appears under its name only when it is complete. If the file system supports O_TMPFILE, it has
-/// no name until `commit`, so that even a killed process leaves nothing behind. Otherwise, and for an instant
-/// while an existing file is replaced, it is a hidden file `.NAME.gabor-` plus eight digits in the same
-/// folder. The writer locks it (flock); the next writer of NAME removes hidden files that nobody has locked.
+/// A file that appears under its name only when it is complete: a system::NewFile with messages for users.
 ///
 /// A symbolic link is kept, and its target replaced. Existing files that are not regular, such as /dev/null
 /// or a FIFO, are written to directly.
@@ -38,16 +39,12 @@ class OutputFile {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void publish();
-    [[noreturn]] void fail(int error) const;
+    [[noreturn]] void fail(std::error_code error) const;
 
     std::filesystem::path path_;
-    std::filesystem::path target_;    ///< file to replace; empty when writing directly to `path_`
-    std::filesystem::path temporary_; ///< hidden name; empty while the file has no name
-    int descriptor_ = -1;
-    bool sequential_ = false;
+    std::optional<system::NewFile> file_;
     std::uint64_t position_ = 0;
-    int error_ = 0; ///< errno of the last failed write; 0 if none has failed
+    std::error_code error_; ///< of the last failed write
 };
 
 /// A folder for output files. The destructor removes the folder again if it was created here and is empty.

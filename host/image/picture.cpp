@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "image/metadata.hpp"
+#include "names.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ File open_file(const std::filesystem::path& path) {
     std::error_code error;
     if (const auto status = std::filesystem::status(path, error); !error && !is_regular_file(status))
         refuse_picture(path, "it is not a regular file");
-    File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    File file(std::fopen(path.string().c_str(), "rb"), std::fclose);
     if (!file)
         refuse_picture(path, std::strerror(errno));
     return file;
@@ -77,11 +78,16 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
         return std::make_unique<ExrPicture>(path, channel);
     if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||
         head.starts_with("MM\0+"sv)) // + is BigTIFF
-        return open_tiff(path);
+        return upright(path, open_tiff(path));
+    if (head.starts_with("\x93NUMPY"sv))
+        return open_npy(path, std::move(file));
+    if (lower(head.substr(0, 5)) == "ncols")
+        return open_asc(path, std::move(file));
     if (auto tga = open_tga(path, std::move(file))) // TGA files have no signature
         return tga;
-    throw RequestError(fmt::format(
-        "'{}' is not a readable picture: expected PNG, JPEG, TGA, TIFF or OpenEXR{}", path.string(), hint));
+    throw RequestError(
+        fmt::format("'{}' is not a readable picture: expected PNG, JPEG, TGA, TIFF, OpenEXR, .npy or .asc{}",
+                    path.string(), hint));
 }
 
 } // namespace gabor::image

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "image/georeference.hpp"
+
+#include <bit>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -23,8 +26,10 @@ class PictureReader {
         int bits = 8;        ///< per value in the file; 32 for floats, and for integers that are heights
         int left = 0;        ///< of an EXR's data window
         int top = 0;
-        std::optional<double> extent = {}; ///< width of a GeoTIFF in the unit of its map, such as metres
-        std::optional<float> missing = {}; ///< value of pixels without a height, from GDAL's tag
+        double scale = 1; ///< of heights: height = offset + scale * value
+        double offset = 0;
+        std::optional<float> missing = {}; ///< value of pixels without a height, if the file states it
+        GeoTags geo = {};                  ///< where a map lies
         int orientation = 1;               ///< EXIF's; always 1 in pictures from `open_picture`
         std::string profile = {};          ///< name of the ICC profile, unless its colours are sRGB's
     };
@@ -61,10 +66,10 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA, TIFF or OpenEXR file; the content, not the name, decides the format. EXIF data in
-/// a PNG or JPEG turn and mirror the picture. If an EXR has a channel named `channel`, reads only that.
-/// Throws RequestError for other formats, with `hint` at the end of the message, for colours other than grey
-/// or RGB, and for unreadable files.
+/// Opens a PNG, JPEG, TGA, TIFF or OpenEXR file, a numpy array, or a map in ESRI's text format; the content,
+/// not the name, decides the format. EXIF data in a PNG or JPEG turn and mirror the picture. If an EXR has a
+/// channel named `channel`, reads only that. Throws RequestError for other formats, with `hint` at the end of
+/// the message, for colours other than grey or RGB, and for unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {}, std::string_view hint = {});
 
@@ -79,14 +84,32 @@ File open_file(const std::filesystem::path& path);
 /// Each of these reads a file of its format, as it is stored. `path` names it in messages.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
+/// The same for a JPEG in memory, which must outlive the reader.
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path,
+                                         std::span<const unsigned char> memory);
 /// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
-/// Reads a TIFF's first picture: one channel of floats, or of 16-bit integers, which are heights if they are
-/// signed or the file is a GeoTIFF, and which the reader otherwise returns as values from 0 to 1.
+/// Reads a TIFF's first picture: grey or RGB, with or without alpha, of integers or floats. Floats, signed
+/// integers, those of 32 bits, and all of a GeoTIFF are heights or linear light; the reader returns others as
+/// values from 0 to 1.
 std::unique_ptr<PictureReader> open_tiff(const std::filesystem::path& path);
-/// Opens a file of heights without a header, row by row from the top, low byte first. The heights are 16-bit
-/// integers, which the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws
-/// RequestError for any other length.
-std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height);
+/// Reads heights from ESRI's text format.
+std::unique_ptr<PictureReader> open_asc(const std::filesystem::path& path, File file);
+/// Reads a numpy array of two dimensions, whose values are heights.
+std::unique_ptr<PictureReader> open_npy(const std::filesystem::path& path, File file);
+
+/// Reads heights in red, green and blue: `terrarium`, or Mapbox's Terrain-RGB. Transparent pixels have none.
+std::unique_ptr<PictureReader> open_encoded(const std::filesystem::path& path, bool terrarium);
+/// Opens a file of heights without a header, row by row from the top. The heights are 16-bit integers, which
+/// the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws RequestError for
+/// any other length.
+std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height,
+                                        std::endian order);
+/// Returns the order in which such a file's neighbours differ less: big if by far, else little.
+std::endian byte_order_of(const std::filesystem::path& path, int width, int height);
+/// Reads heights as SRTM stores them: 16-bit integers, high byte first, without a header. The file's name has
+/// its longitude and latitude, and it is a square unless `size` says otherwise.
+std::unique_ptr<PictureReader> open_hgt(const std::filesystem::path& path,
+                                        std::optional<std::array<int, 2>> size);
 
 } // namespace gabor::image

@@ -8,22 +8,18 @@
 #include "viewer/photograph.hpp"
 
 #include "error.hpp"
+#include "system/process.hpp"
 
 #include <CLI/CLI.hpp>
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <utility>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace gabor::viewer {
 
@@ -41,10 +37,6 @@ volatile std::sig_atomic_t received_signal = 0;
 
 extern "C" void note_signal(int signal) {
     received_signal = signal;
-}
-
-bool is_running(int process) {
-    return process > 0 && ::kill(process, 0) == 0;
 }
 
 void drop(GLFWwindow* window, int count, const char** paths) {
@@ -105,7 +97,7 @@ void App::restore(const Options& options) {
             session_.export_target.path = settings_.export_path;
         });
     };
-    const bool lost = settings_.unsaved_by != 0 && !is_running(settings_.unsaved_by);
+    const bool lost = settings_.unsaved_by != 0 && !system::is_running(settings_.unsaved_by);
     if (!options.preset.empty())
         open_preset(session_, options.preset);
     else if (!options.document && !settings_.document.empty() && !lost)
@@ -132,7 +124,7 @@ void App::save_session() {
     const bool unsaved = session_.closing != Closing::now && is_changed(session_);
     Settings settings{
         window_.placement(), session_.panels || small_,   session_.ui_scale, to_json(document),
-        document.path,       session_.export_target.path, session_.recent,   unsaved ? ::getpid() : 0};
+        document.path,       session_.export_target.path, session_.recent,   unsaved ? system::process_id() : 0};
     if (settings == settings_)
         return;
     settings_ = std::move(settings);
@@ -393,6 +385,7 @@ namespace {
 int fail(int status, std::string message) {
     std::ranges::replace(message, '\n', ' ');
     fmt::print(stderr, "gabor-viewer: {}\n", message);
+    system::show_error(message);
     return status;
 }
 
@@ -408,17 +401,8 @@ Extent parse_size(const std::string& text) {
     return {width, height};
 }
 
-// Makes glibc return memory that software drivers free on other threads. After two minutes of use, the viewer
-// takes 184 MiB with these settings and 288 MiB without.
-void return_memory() {
-#ifdef __GLIBC__
-    mallopt(M_ARENA_MAX, 1);
-    mallopt(M_TRIM_THRESHOLD, 1 << 17);
-#endif
-}
-
 int run(int argc, char** argv, const App::FrameHook& hook) {
-    return_memory();
+    system::return_memory();
     CLI::App app("Interactive viewer for Gabor noise", "gabor-viewer");
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
@@ -456,10 +440,8 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         App viewer(options);
         signal = viewer.run(hook);
     }
-    if (signal) {
-        std::signal(signal, SIG_DFL);
-        std::raise(signal);
-    }
+    if (signal)
+        system::end_by(signal);
     if (const int messages = vulkan::validation_messages())
         return fail(1, fmt::format("{} message(s) from the validation layers", messages));
     return 0;

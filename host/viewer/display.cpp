@@ -53,21 +53,28 @@ DisplayConstants display_constants(const Document& document, std::span<const std
     const auto shown = material ? first_look + static_cast<std::int32_t>(document.look)
                        : colour ? coloured
                                 : static_cast<std::int32_t>(there ? document.output : Output::value);
-    return {shown,
-            document.colours,
-            static_cast<std::int32_t>(channels.size()),
-            std::max(beside, 0),
-            render::channel_index(channels, "normal.x"),
-            render::channel_index(channels, "A"),
-            coarse,
-            tiles,
-            document.profile,
-            unlit,
-            document.request.environment};
+    DisplayConstants constants{};
+    constants[passes::display_output_id] = shown;
+    constants[passes::display_colours_id] = document.colours;
+    constants[passes::display_channels_id] = static_cast<std::int32_t>(channels.size());
+    constants[passes::display_companion_id] = std::max(beside, 0);
+    constants[passes::display_normal_id] = render::channel_index(channels, "normal.x");
+    constants[passes::display_coverage_id] = render::channel_index(channels, "A");
+    constants[passes::display_coarse_id] = coarse;
+    constants[passes::display_tiles_id] = tiles;
+    constants[passes::display_profile_id] = document.profile;
+    constants[passes::display_unlit_id] = unlit;
+    constants[passes::display_environment_id] = document.request.environment;
+    return constants;
 }
 
 DisplayConstants colours_constants() {
-    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0, 0};
+    DisplayConstants constants{};
+    constants[passes::display_output_id] = coloured;
+    constants[passes::display_channels_id] = 3;
+    constants[passes::display_normal_id] = constants[passes::display_coverage_id] = -1; // none
+    constants[passes::display_coarse_id] = true;
+    return constants;
 }
 
 std::array<std::array<float, 4>, most_stops> stops_of(const Document& document) {

@@ -13,7 +13,7 @@
 namespace gabor::viewer {
 
 /// The specialization constants of shaders/viewer/display.glsl.
-using DisplayConstants = std::array<std::int32_t, 11>;
+using DisplayConstants = std::array<std::int32_t, passes::display_constant_count>;
 
 /// `channels` are those of the values, as in render::channels. If the output's channels are missing, the
 /// value is shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.

@@ -6,13 +6,11 @@
 #include "render/output/texture.hpp"
 #include "render/request/parameters.hpp"
 #include "seconds.hpp"
+#include "system/desktop.hpp"
 #include "viewer/display.hpp"
 #include "viewer/drawing.hpp"
 
 #include <fmt/format.h>
-
-#include <cstdlib>
-#include <cstring>
 
 namespace gabor::viewer {
 
@@ -50,10 +48,10 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
 } // namespace
 
 std::string path_from_home(const std::filesystem::path& path) {
-    const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
-    const char* const home = std::getenv("HOME");
-    return home && *home && whole.starts_with(std::string(home) + '/') ? "~" + whole.substr(std::strlen(home))
-                                                                       : whole;
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    const std::filesystem::path below = whole.lexically_relative(system::home_folder());
+    const bool is_below = !below.empty() && *below.begin() != ".." && *below.begin() != ".";
+    return (is_below ? "~" / below : whole).string();
 }
 
 bool can_export_maps(const render::Request& request) {

@@ -1,5 +1,6 @@
 #include "viewer/file_dialog.hpp"
 
+#include "system/desktop.hpp"
 #include "viewer/photograph.hpp"
 #include "viewer/session.hpp"
 
@@ -67,6 +68,9 @@ bool contents(FileDialog& dialog) {
         }
     };
     entry("..", "..");
+    if (dialog.folder == dialog.folder.root_path())
+        for (const std::string& drive : system::drives())
+            entry(drive, drive);
     for (const std::string& name : dialog.folders)
         entry(name + "/", name);
     for (const std::string& name : dialog.files)
@@ -89,7 +93,7 @@ void ask_for_paint(Session& session) {
     ask(session,
         {.title = "A map of directions: red and green point along the waves",
          .action = "Open",
-         .endings = {".png", ".jpg", ".jpeg", ".tga", ".exr"},
+         .endings = {".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".exr"},
          .take =
              [&session](const std::string& path) {
                  attempt(session, [&] { set_parameter(session.document(), "paint", path); });

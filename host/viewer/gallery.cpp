@@ -2,6 +2,7 @@
 
 #include "image/picture.hpp"
 #include "render/request/load.hpp"
+#include "render/request/material.hpp"
 #include "viewer/embedded.hpp"
 #include "viewer/widgets.hpp"
 
@@ -27,10 +28,17 @@ std::vector<Group> grouped_presets() {
     std::vector<Group> groups{{"Wood and bark", {"wood", "bark"}},
                               {"Cloth, fabric and fibre", {"fabric", "carbon-fibre"}},
                               {"Leather, skin and fur", {"leather", "zebra"}},
-                              {"Metal, paint and ice", {"brushed-metal", "scratches"}},
+                              {"Metal and paint", {"brushed-metal", "scratches"}},
                               {"Stone and sand", {"marble", "strata", "sand"}},
                               {"Snowy mountains, hills and canyons", {"landscape"}},
                               {"Seas and lakes", {"ocean"}}};
+    Group others{"Other materials", {}};
+    for (const std::string_view material : render::materials)
+        if (std::ranges::none_of(groups, [&](const Group& group) {
+                return std::ranges::find(group.kinds, material) != group.kinds.end();
+            }))
+            others.kinds.emplace_back(material);
+    groups.push_back(others); // not shown without presets
     std::vector<std::string> kinds;
     for (const std::string_view name : render::preset_names()) {
         const render::Request request = render::preset(name);
@@ -66,10 +74,7 @@ int words_found(const std::string& search, const std::string& text) {
 
 const PresetPictures& preset_pictures() {
     static const PresetPictures pictures = [] {
-        const std::span<const unsigned char> jpeg = embedded("presets.jpg");
-        const auto reader = image::open_jpeg(
-            "presets.jpg",
-            {::fmemopen(const_cast<unsigned char*>(jpeg.data()), jpeg.size(), "rb"), std::fclose});
+        const auto reader = image::open_jpeg("presets.jpg", embedded("presets.jpg"));
         PresetPictures all;
         all.extent = {reader->format().width, reader->format().height};
         const std::size_t row = 3 * static_cast<std::size_t>(all.extent.width);

@@ -1,5 +1,6 @@
 #include "viewer/gui.hpp"
 
+#include "system/desktop.hpp"
 #include "viewer/target.hpp"
 
 #include <GLFW/glfw3.h>
@@ -143,62 +144,36 @@ void set_style(float density) {
     style.ScaleAllSizes(density);
 }
 
-// The path of the desktop's sans-serif font; empty if there is none.
-std::string sans_font() {
-    for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                             "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                             "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"})
-        if (std::filesystem::exists(path))
-            return path;
-    return {};
-}
-
-// The desktop font that has most of these characters, and its index in the file, found by fontconfig.
-std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
-    constexpr std::size_t enough = 64; // this many characters identify a script
-    const std::size_t asked = std::min(characters.size(), enough);
-    const std::string command = fmt::format("fc-match --format '%{{index}} %{{file}}' ':charset={:x}' 2>&-",
-                                            fmt::join(std::span(characters).first(asked), " "));
-    std::string said(4096, '\0');
-    if (std::FILE* const pipe = ::popen(command.c_str(), "re")) {
-        said.resize(std::fread(said.data(), 1, said.size(), pipe));
-        ::pclose(pipe);
-    }
-    const std::size_t space = said.find(' ');
-    if (space == std::string::npos)
-        return {};
-    return {said.substr(space + 1), std::atoi(said.c_str())};
-}
-
 // Loads the main font and, for characters that it lacks, one desktop font per script.
 void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     std::deque<ImVector<ImWchar>> kept; // must live until the atlas is built
-    const auto add = [&](const std::pair<std::string, int>& font, const auto& wanted) {
+    const auto add = [&](const system::Font& font, const auto& wanted) {
         ImFontConfig config;
         config.MergeMode = !atlas.Fonts.empty(); // adds only characters that are still missing
         config.FontNo = font.second;
         ImFontGlyphRangesBuilder ranges;
         ranges.AddRanges(atlas.GetGlyphRangesDefault());
-        for (const ImWchar character : wanted)
-            ranges.AddChar(character);
+        for (const unsigned character : wanted)
+            ranges.AddChar(static_cast<ImWchar>(character));
         ranges.BuildRanges(&kept.emplace_back());
         if (std::filesystem::exists(font.first))
             atlas.AddFontFromFileTTF(font.first.c_str(), pixels, &config, kept.back().Data);
     };
-    add({sans_font(), 0}, characters);
+    add(system::sans_font(), characters);
     if (atlas.Fonts.empty()) {
         ImFontConfig config;
         config.SizePixels = std::round(13.0f / 14.0f * pixels);
         atlas.AddFontDefault(&config); // Dear ImGui's built-in font
     }
-    std::map<int, std::vector<ImWchar>> scripts;
+    std::map<int, std::vector<unsigned>> scripts;
     for (const ImWchar c : characters)
         scripts[c < 0x3000 || c >= 0xa000 ? c >> 8 : 0x30].push_back(
             c); // Chinese and Japanese share one font
     for (const auto& [script, wanted] : scripts)
-        add(font_with(wanted), wanted);
+        for (const system::Font& font : system::fonts_with(wanted))
+            add(font, wanted);
     atlas.Build();
 }
 

@@ -200,7 +200,7 @@ void material_panel(Session& session) {
 }
 
 void terrain_panel(Session& session) {
-    controls(session, {"scale", "seed", "extent", "cover"});
+    controls(session, {"scale", "seed", "extent", "cover", "water_level"});
     controls_of(session, render::Parameter::Group::erosion);
 }
 
@@ -410,7 +410,7 @@ void side_panel(Session& session) {
     const std::array sections{
         Section{"Noise",
                 [](Session& s) {
-                    controls(s, {"material", "scale", "seed"});
+                    controls(s, {"material", "fractal", "scale", "seed"});
                 },
                 true, shows(render::Kind::noise)},
         Section{"Fractal noise",
@@ -432,7 +432,7 @@ void side_panel(Session& session) {
         Section{"File", file_panel, false},
         Section{"Laboratory",
                 [](Session& s) {
-                    controls(s, {"recipe", "fractal", "gradient", "phasor"});
+                    controls(s, {"recipe", "gradient", "phasor"});
                 },
                 false, !render::is_surface(request.kind)}};
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons

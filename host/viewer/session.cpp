@@ -265,16 +265,16 @@ void copy_glsl(Session& session) {
                            : "copied GLSL that draws this view");
 }
 
-std::vector<std::string_view> file_names(const Session& session) {
+std::vector<std::string> file_names(const Session& session) {
     const Document& document = session.history.now;
-    std::vector<std::string_view> names{document.path,         document.request.paint,
-                                        session.message.text,  session.export_target.path,
-                                        session.fitter.path(), session.export_target.folder};
+    std::vector<std::string> names{document.path,         document.request.paint,
+                                   session.message.text,  session.export_target.path,
+                                   session.fitter.path(), session.export_target.folder};
     names.insert(names.end(), session.recent.begin(), session.recent.end());
     if (session.question)
         names.push_back(session.question->text);
     if (const auto& dialog = session.dialog) {
-        names.insert(names.end(), {dialog->name, dialog->folder.native()});
+        names.insert(names.end(), {dialog->name, dialog->folder.string()});
         names.insert(names.end(), dialog->folders.begin(), dialog->folders.end());
         names.insert(names.end(), dialog->files.begin(), dialog->files.end());
     }

@@ -118,7 +118,7 @@ void notify(Session& session, std::string text, bool error = false);
 /// Hides the message after a few seconds, even the result of an export. Called when the user does something.
 void hide_message_soon(Session& session);
 /// The texts on the screen that contain file names, which may be in any script.
-std::vector<std::string_view> file_names(const Session& session);
+std::vector<std::string> file_names(const Session& session);
 
 /// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. `defaults` is
 /// as for document_from_json. Throws RequestError if there is no such document or its paint is missing.

@@ -1,12 +1,12 @@
 #include "viewer/settings.hpp"
 
 #include "image/output_file.hpp"
+#include "system/desktop.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -16,11 +16,8 @@ namespace gabor::viewer {
 namespace {
 
 std::filesystem::path settings_path() {
-    if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder)
-        return std::filesystem::path(folder) / "gabor-noise" / "viewer.json";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return std::filesystem::path(home) / ".config" / "gabor-noise" / "viewer.json";
-    return {};
+    const std::filesystem::path folder = system::settings_folder();
+    return folder.empty() ? folder : folder / "gabor-noise" / "viewer.json";
 }
 
 } // namespace

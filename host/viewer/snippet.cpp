@@ -48,7 +48,7 @@ struct View : Document {
 std::string members_of(const View& view, render::Parameter::Group group, std::string_view of = "m") {
     std::string text;
     for (const render::Parameter& p : render::parameters())
-        if (p.group == group && render::is_set(view.request, p.name)) {
+        if (p.of_struct && p.group == group && render::is_set(view.request, p.name)) {
             const render::Value value = *p.get(view.request);
             const auto* number = std::get_if<double>(&value);
             text += glsl("    {}.{} = {};\n", of, p.name.substr(p.name.find('.') + 1),
@@ -293,26 +293,26 @@ std::string material_snippet(const View& view) {
 
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
-    return includes({"noise", "erosion"}) + shaders({"landscape.glsl", "srgb.glsl"}) +
+    return includes({"noise", "erosion", "fractal"}) +
+           shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
-                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {});\n"
+                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
                 "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
                 head(view, "vec3 colour"), members_of(view, render::Parameter::Group::erosion), push.cell.x,
-                push.cell.y, push.period, push.seed, push.reach, push.sun, push.cover, push.corner,
-                push.distance, push.yaw, push.pitch, push.center, push.pixel);
+                push.cell.y, push.period, push.seed, push.reach, push.sun, view.request.cover, push.water,
+                push.corner, push.distance, push.yaw, push.pitch, push.center, push.pixel);
 }
 
 std::string sea_snippet(const View& view) {
     const auto push = view.push<passes::OceanPush>();
-    const render::Sea& sea = view.request.sea;
     return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
            shaders({"seascape.glsl", "srgb.glsl"}) +
-           glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
-                "sea_of(gabor_ocean_of({}, 0.0, {}, vec3({}, {}, {}), {}), {}u, {}, {}, {});\n"
+           glsl("\n// The colour for the screen. Compute `sea` once.\n{}    GaborSea m = gabor_sea();\n{}"
+                "    m.loop_seconds = {};\n    Sea sea = sea_of(gabor_ocean_of(m), {}u, {}, {}, {});\n"
                 "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",
-                head(view, "vec3 colour"), sea.wind, sea.fetch, sea.swell_height, sea.swell_period,
-                noise::radians(sea.swell_direction), sea.loop_seconds, push.seed, push.second, push.fraction,
-                push.sun, push.altitude, push.yaw, push.pitch, push.center, push.pixel);
+                head(view, "vec3 colour"), members_of(view, render::Parameter::Group::sea),
+                view.request.sea.loop_seconds, push.seed, push.second, push.fraction, push.sun, push.altitude,
+                push.yaw, push.pitch, push.center, push.pixel);
 }
 
 std::string noise_snippet(const View& view) {

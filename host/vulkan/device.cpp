@@ -1,6 +1,8 @@
 #include "vulkan/state.hpp"
 
 #include "error.hpp"
+#include "names.hpp"
+#include "system/desktop.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +12,6 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
 namespace gabor::vulkan {
@@ -53,7 +54,7 @@ std::string how_to_get_a_driver() {
             return fmt::format("the environment variable {} is '{}', which hides other drivers: unset it, or "
                                "name a driver's file that works",
                                name, value);
-    return "install one (mesa-vulkan-drivers has one that needs no GPU)";
+    return std::string(system::how_to_get_a_driver);
 }
 
 namespace {
@@ -63,8 +64,7 @@ vk::raii::Context load_vulkan() {
     try {
         return {};
     } catch (const std::runtime_error&) {
-        throw RequestError("no Vulkan loader found: install libvulkan1 and a driver (mesa-vulkan-drivers has "
-                           "one that needs no GPU)");
+        throw RequestError(fmt::format("no Vulkan loader found: {}", system::how_to_get_vulkan));
     }
 }
 
@@ -75,6 +75,12 @@ void ask_for_messages(vk::DebugUtilsMessengerCreateInfoEXT& info) {
         .setMessageType(Type::eValidation | Type::ePerformance);
     VkDebugUtilsMessengerCreateInfoEXT& plain = info; // vk::'s type of the callback changed in Vulkan-Hpp 1.4
     plain.pfnUserCallback = report;
+}
+
+bool has(const std::vector<vk::ExtensionProperties>& extensions, std::string_view name) {
+    return std::ranges::any_of(extensions, [&](const vk::ExtensionProperties& extension) {
+        return name == extension.extensionName.data();
+    });
 }
 
 // Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError if there is no driver.
@@ -103,6 +109,11 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     } else {
         chain.unlink<vk::ValidationFeaturesEXT>();
         chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
+    }
+    // Only on request does the loader list drivers over Metal. They lack parts of Vulkan that no pass uses.
+    if (has(context.enumerateInstanceExtensionProperties(), VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+        extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+        chain.get<vk::InstanceCreateInfo>().flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
     }
     chain.get<vk::InstanceCreateInfo>().setPEnabledExtensionNames(extensions);
     try {
@@ -149,9 +160,7 @@ std::string driver_name(const vk::raii::PhysicalDevice& physical,
 }
 
 bool has_extension(const vk::raii::PhysicalDevice& physical, std::string_view name) {
-    return std::ranges::any_of(
-        physical.enumerateDeviceExtensionProperties(),
-        [&](const vk::ExtensionProperties& extension) { return name == extension.extensionName.data(); });
+    return has(physical.enumerateDeviceExtensionProperties(), name);
 }
 
 std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Presentation& presentation) {
@@ -212,7 +221,7 @@ Candidate choose(std::vector<Candidate> all, const std::string& selector) {
     const bool is_index = selector.find_first_not_of("0123456789") == selector.npos;
     std::erase_if(all, [&](const Candidate& candidate) {
         return is_index ? fmt::to_string(candidate.info.index) != selector
-                        : !::strcasestr(candidate.info.name.c_str(), selector.c_str());
+                        : lower(candidate.info.name).find(lower(selector)) == selector.npos;
     });
     if (all.size() != 1)
         throw RequestError(fmt::format("--device '{}' matches {} device: the devices are {}", selector,
@@ -227,6 +236,9 @@ vk::raii::Device make_device(const Candidate& candidate, const Presentation& pre
     std::vector<const char*> extensions;
     if (presentation.can_present)
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    if (constexpr const char* subset = "VK_KHR_portability_subset"; // Vulkan wants it enabled where it is
+        has_extension(candidate.physical, subset))
+        extensions.push_back(subset);
     if (candidate.executable_properties) {
         extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
         chain.get<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>().pipelineExecutableInfo =

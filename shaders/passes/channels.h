@@ -35,10 +35,10 @@
     CHANNEL(9, ocean_jacobian, ("jacobian"))                                                                 \
     CHANNEL(10, ocean_foam, ("foam"))
 
-// An eroded map. `erosion` is the height that erosion added; the shares of the ground that follow it are
-// optional.
+// An eroded map. Other programs show Y, the height. `erosion` is the height that erosion added; the shares of
+// the ground that follow it are optional.
 #define GABOR_EROSION_CHANNELS(CHANNEL)                                                                      \
-    CHANNEL(0, erosion_height, ("height"))                                                                   \
+    CHANNEL(0, erosion_height, ("Y"))                                                                        \
     CHANNEL(1, erosion_slope, ("slope.x", "slope.y"))                                                        \
     CHANNEL(3, erosion_ridge, ("ridge"))                                                                     \
     CHANNEL(4, erosion_added, ("erosion"))                                                                   \

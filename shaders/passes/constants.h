@@ -57,7 +57,11 @@ const uint basis_id = 31;
 const uint shape_id = 32;
 const uint warped_id = 33;
 
-const uint constant_count = 34;
+// passes/terrain.comp: what covers the ground, as in passes/landscape.glsl, and whether there are lakes
+const uint cover_id = 34;
+const uint lakes_id = 35;
+
+const uint constant_count = 36;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -20,7 +20,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Map { float map[]; };
 
 // The smoothed map at a pixel, in units of p.
 GaborTerrain smooth_at(vec2 place) {
-    vec2 at = place * nodes;
+    vec2 at = place * nodes + phase;
     ivec2 first = ivec2(at);
     vec2 t = at - vec2(first);
     vec4 x, y, slope_x, slope_y, curvature_x, curvature_y;
@@ -70,8 +70,8 @@ void main() {
     float before_erosion = map[(here.y + erode_halo) * map_width + column];
     vec2 place = vec2(column, first_row + here.y) + 0.5;
     GaborTerrain base = smooth_at(place);
-    GaborTerrain terrain = gabor_eroded_at(GaborTerrainPlace(ivec2(0), pixel * place, period), vec2(pixel, 0.0),
-                                           vec2(0.0, pixel), base, table, seed);
+    GaborTerrain terrain = gabor_eroded_at(GaborTerrainPlace(cell, pixel * place + local, period), vec2(pixel.x, 0.0),
+                                           vec2(0.0, pixel.y), base, table, seed);
     float added = (terrain.height - base.height) * unit / steepness;
     vec2 slope = slope_at(column, here.y, before_erosion) + (terrain.slope - base.slope) / steepness;
     bool has_height = before_erosion < missing_height;

@@ -15,7 +15,10 @@ GABOR_PUSH_CONSTANTS(ErodePush) {
     GABOR_BAND       // a band of the map's pixels
         vec2 period; // period of a tile in units of p, 0 for none
     vec2 nodes;      // nodes of the smoothed map per pixel
-    float pixel;     // side of a pixel in units of p
+    vec2 phase;      // node of the map's corner
+    vec2 pixel;      // sides of a pixel in units of p
+    ivec2 cell;      // of the map's corner in its world
+    vec2 local;      // what remains of the corner, in units of p
     float unit;      // unit of p in the unit of the map's heights
     float steepness; // slopes as the erosion sees them, relative to the map's
     float missing;   // the height of pixels that have none

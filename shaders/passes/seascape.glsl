@@ -12,10 +12,8 @@ struct Sea {
 
 // `sun` holds x and y of the unit vector to the sun.
 Sea sea_of(GaborOcean ocean, uint seed, int second, float fraction, vec2 sun) {
-    float variance = 0.0;
-    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) variance += ocean.band[i].amplitude * ocean.band[i].amplitude;
     vec3 toward = vec3(sun.x, sqrt(max(1.0 - dot(sun, sun), 0.0)), sun.y);
-    return Sea(ocean, seed, second, fraction, toward, sqrt(variance));
+    return Sea(ocean, seed, second, fraction, toward, ocean.high.x);
 }
 
 vec3 glow_of(vec3 sun) {
@@ -93,46 +91,6 @@ vec3 light_of_water(Sea sea, GaborWater w, vec2 slope, vec3 ray, float foam) {
     return mix(light, (0.3 + 0.5 * day) * (vec3(0.55, 0.6, 0.65) + 0.5 * max(dot(normal, sea.sun), 0.0) * sunlight), foam);
 }
 
-// The distribution function of a normal number.
-float chance_below(float x) {
-    return 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));
-}
-
-// Returns the share of a noise's amplitude that a pixel with these sides keeps. `density` is in kernel radii per metre, `wave` in turns.
-float kept_of(vec2 across, vec2 along, vec2 density, vec2 wave) {
-    vec2 turns = vec2(dot(wave, across), dot(wave, along));
-    vec4 radii = vec4(density * across, density * along);
-    return exp(-1.645 * dot(turns, turns) - 0.137 * dot(radii, radii)); // the variance along a side is a twelfth of its square
-}
-
-// The share of foam in a pixel with these sides: whitecaps on as much of the sea as Monahan and O'Muircheartaigh measured in 1980,
-// more on crests and torn along the wind. A pixel shows the mean over what it cannot resolve.
-float foam_on(Sea sea, GaborWater w, vec2 p, vec2 across, vec2 along) {
-    float covered = min(3.84e-6 * pow(sea.ocean.wind, 3.41), 0.3), edge = 0.6, detail = 0.25;
-    float odds = 0.34427 * log((1.0 - covered) / covered), root = pow(odds + sqrt(odds * odds + 1.0), 0.33333333);
-    float least = 2.7303 * (root - 1.0 / root); // chance_below(-least) = covered, by Cardano's formula
-    vec3 torn = vec3(gabor_noise(vec2(0.1, 0.3) * p, 0.4, 1.3, sea.seed), gabor_noise(vec2(0.5, 1.1) * p, 0.6, 0.4, sea.seed),
-                     gabor_noise(2.5 * p, 0.8, 2.0, sea.seed));
-    vec4 whole = vec4(0.7, 0.35, 0.25, 0.57); // of the noises and of the height
-    vec4 left = whole * vec4(kept_of(across, along, vec2(0.1, 0.3), vec2(0.0107, 0.1156)),
-                             kept_of(across, along, vec2(0.5, 1.1), vec2(0.2763, 0.257)),
-                             kept_of(across, along, vec2(2.5), vec2(-0.8323, 1.8186)),
-                             kept_of(across, along, vec2(0.041 / sea.high), vec2(0.0)));
-    // A sum of few nodes exceeds two deviations less often than a normal number does: hence 1.01.
-    float caps = (1.01 * (dot(left.xyz, torn) + whole.w * w.height / sea.high) - least * sqrt(1.0 + edge * edge)) / edge;
-    float removed = 1.0 + (dot(whole, whole) - dot(left, left)) / (edge * edge), finest = 1.0 + detail * detail;
-    vec3 kept = vec3(0.0), zeros = kept;
-    if (caps > -2.6 * sqrt(removed)) { // Thin foam is a net of bubbles, along the zeros of three noises.
-        vec2 large = vec2(1.1, 1.6), middle = vec2(3.4, 4.6), small = vec2(13.0, 16.0), none = vec2(0.0);
-        zeros = abs(vec3(gabor_noise(large * p, 0.0, 0.0, sea.seed + 1u), gabor_noise(middle * p, 0.0, 0.0, sea.seed + 2u),
-                         gabor_noise(small * p, 0.0, 0.0, sea.seed + 3u))) - 0.79788;
-        kept = vec3(kept_of(across, along, large, none), kept_of(across, along, middle, none), kept_of(across, along, small, none));
-        kept = vec3(1.2140, 0.9395, 0.6287) * pow(kept, vec3(2.4)); // zeros are thinner than waves
-    }
-    float share = chance_below((sqrt(finest) * caps - dot(kept, zeros)) * inversesqrt(finest * removed - 0.36338 * dot(kept, kept)));
-    return mix(share, covered, min(0.1 * length(across), 1.0));
-}
-
 // What a ray meets. For a ray into the sky, the water is 0.
 struct SeaHit {
     GaborWater water;
@@ -144,14 +102,14 @@ struct SeaHit {
 // The sea or the sky along a ray. Raises an eye that is too low.
 SeaHit seen_at_sea(Sea sea, vec3 eye, vec3 ray, float wide) {
     eye.y = max(eye.y, 3.0 * sea.high);
-    SeaHit hit = SeaHit(GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0)), 0.0, vec3(0.0), sky_and_sun(sea.sun, ray));
+    SeaHit hit = SeaHit(GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0), vec3(0.0)), 0.0, vec3(0.0), sky_and_sun(sea.sun, ray));
     if (ray.y > -1.0e-4) return hit;
     vec2 shift;
     float t = distance_to_water(sea, eye, ray, wide, shift);
     vec2 x = eye.xz + t * ray.xz, forward = normalize(ray.xz);
     vec2 across = wide * t * vec2(forward.y, -forward.x), along = wide * t / max(-ray.y, 0.04) * forward;
     hit.water = water_near(sea, x, shift, across, along);
-    hit.foam = foam_on(sea, hit.water, x - hit.water.shift, across, along);
+    hit.foam = gabor_foam(x - hit.water.shift, across, along, hit.water, sea.ocean, sea.seed);
     hit.colour = mix(vec3(0.003, 0.022, 0.049), vec3(0.7), hit.foam);
     vec3 air = sky_of(sea.sun, vec3(ray.x, 0.01, ray.z)); // at the horizon; straight down, from no side
     hit.light = mix(air, light_of_water(sea, hit.water, hit.water.slope / clamp(hit.water.jacobian, 0.4, 2.0), ray, hit.foam), exp(-1.2e-4 * t));

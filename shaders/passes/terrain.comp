@@ -7,9 +7,14 @@
 #include "passes/terrain_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
+#include "gabor_fractal.glsl"
+#include "ground.glsl"
+#include "ranges.glsl"
 #include "landscape.glsl"
 
 layout(constant_id = view_id) const uint view = view_terrain;
+layout(constant_id = cover_id) const int cover = 0;
+layout(constant_id = lakes_id) const bool lakes = false;
 const int channels = terrain_erosion + 1;
 
 layout(local_size_x = terrain_group, local_size_y = terrain_group) in;
@@ -24,7 +29,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
-    Ground ground = Ground(cell, period, seed, table, reach, sun, cover);
+    Ground ground = Ground(cell, period, seed, table, reach, sun, cover, lakes ? water : -2.0);
     RayHit hit = seen_in_pixel(ground, corner, view == view_terrain ? 0.0 : distance, yaw, pitch, center, pixel, place);
     for (int i = 0; i < 3; ++i) {
         picture[at + terrain_colour + i] = hit.colour[i];

@@ -23,7 +23,7 @@ GABOR_PUSH_CONSTANTS(TerrainPush) {
     float unit;     // units of height per kernel radius
     float reach;    // the most that erosion adds to the hills
     uint seed;
-    int cover; // what covers the ground, as in landscape.glsl
+    float water; // level of lakes in kernel radii
 };
 
 GABOR_INTERFACE_END

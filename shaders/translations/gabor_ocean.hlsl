@@ -10,8 +10,9 @@
 //     I want                                           call
 //     water under a pixel                              gabor_water_filtered
 //     a boat's height                                  gabor_water_height
+//     white water                                      gabor_foam
 //     a world of any size, or months of time           gabor_water_at
-//     another direction or fetch, a swell, a loop      gabor_ocean_of
+//     a swell, another fetch or depth, a loop          gabor_ocean_of
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -27,57 +28,91 @@
 #error GABOR_OCEAN_BANDS must be 1 to 12
 #endif
 
-// Waves from one wavelength to half of it. `low`, `early`, `late` and `spread` are multiples of powers of 2, so that
-// sums are exact.
+// Waves from one wavelength to half of it, or to 0.7 of it. Frequencies and directions are multiples of powers of 2, so
+// that sums are exact. The structs are laid out alike in C++, std430 and std140.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
-    float2 slopes;     // variance of the slopes along the band's direction and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     float low;       // 65536 times the lowest frequency in Hz
-    float3 early;      // how fast the frequency rises in the first 1/16 of the power, and how much faster in the next
-    float3 late;       // 3/16, 4/16, 4/16, 3/16 and 1/16
-    float3 spread;     // sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v uniform in
-    float2 widen;      // [-1, 1], times a linear function of the frequency
+    float orbit;     // how much longer than high the orbits of water are: 1 in deep water
+    float2 slopes;     // variance of the slopes along the band's direction and across it
+    float2 widen;      // spread, blunt: sin(d / 2) of an angle d from the band's direction is a u + b u^3 + c v, u and v
+    float2 spread;     // uniform in [-1, 1], times a linear function of the frequency
+    float blunt;
+    float rise;      // how fast the frequency rises from `low`
+    float4 knots;      // at these shares of power, of 1024, and at last.x,
+    float4 faster;     // it rises faster from there on, by these, and by last.y
+    float2 last;
+    float2 carry;      // the wave number over the frequency, times the group velocity: at 0 Hz, and how fast it rises
+    float2 number;     // the wave number over the frequency likewise
     int2 drift;     // 32768 times the group velocity in nodes per second
 };
 
-GaborOceanBand GaborOceanBand_of(float amplitude, float2 slopes, int exponent, float low, float3 early, float3 late,
-        float3 spread, float2 widen, int2 drift) {
-    GaborOceanBand made = {amplitude, slopes, exponent, low, early, late, spread, widen, drift};
+GaborOceanBand GaborOceanBand_of(float amplitude, int exponent, float low, float orbit, float2 slopes, float2 widen,
+        float2 spread, float blunt, float rise, float4 knots, float4 faster, float2 last, float2 carry, float2 number,
+        int2 drift) {
+    GaborOceanBand made = {amplitude, exponent, low, orbit, slopes, widen, spread, blunt, rise, knots, faster, last,
+        carry, number, drift};
     return made;
 }
 
 struct GaborOcean {
-    float wind;      // speed in metres per second, 10 m up
-    float direction; // where the waves go: radians from +x towards +y
-    float fetch;     // metres of open water upwind, 10^3 to 10^6: beyond 2190 wind^2, waves grow no more
-    float3 swell;      // x: significant height in metres, 0 to 30, y: period in seconds, 5 to 25, z: direction
-    int loop_seconds; // all repeats after so many, or 0 for never
-    float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
-    GaborOceanBand band[GABOR_OCEAN_BANDS + 1]; // the swell is the last
+    float wind;
+    float direction;
+    float fetch;
+    float water_depth;
+    float3 swell; // height, period and direction
+    int loop_seconds;
+    float2 tail; // variance of the slopes of waves shorter than all bands, along the wind and across it
+    float2 high; // rms height, and rms displacement along the wind, in metres
+    GaborOceanBand band[GABOR_OCEAN_BANDS + 2]; // the swell's longer and shorter waves are the last two
 };
+
+// What a sea depends on.
+struct GaborSea {
+    float wind;            // wind speed at a height of 10 m, 2 to 30 metres per second
+    float fetch;           // open water upwind, a few kilometres for a lake and 200 km for a grown sea, 1000 to
+                           // 1000000 metres: beyond 2190 wind^2, waves grow no more
+    float swell_height;    // significant height of a swell from a far storm, from trough to crest, or 0 for none,
+                           // 0 to 30 metres, usually 0 to 8: ends at 0.07 wavelengths, 0.11 period^2 in deep water
+    float swell_period;    // time from crest to crest of the swell, 5 to 25 seconds
+    float swell_direction; // where the swell goes, from +x towards +y, -628.31853 to 628.31853 radians
+    float water_depth;     // depth of the water, or 0 for deep water, 0 to 10000 metres, usually 0 to 100: at
+                           // least 1 if not 0
+    float direction;       // where the wind and its waves go: radians from +x towards +y
+    int loop_seconds;      // all repeats after 8, 16, 32 ... 4096 seconds, or 0 for never
+};
+
+GaborSea GaborSea_of(float wind, float fetch, float swell_height, float swell_period, float swell_direction,
+        float water_depth, float direction, int loop_seconds) {
+    GaborSea made = {wind, fetch, swell_height, swell_period, swell_direction, water_depth, direction, loop_seconds};
+    return made;
+}
+// GaborSea gabor_sea()
+//     A wind of 10 m/s along x, a fetch of 200 km, no swell, deep water, no loop.
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds)
-//     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the
-//     JONSWAP spectrum [HBB73] until it is fully developed [PM64], and the directions of [HDE80]. A swell, from a
-//     remote storm, has a narrow spread of directions and a sharp peak [G10]; float3(0.0) is none. For films, all repeats
-//     after a loop of 8, 16, 32 ... 4096 seconds, to which other values are rounded down. Its price: groups of waves
-//     stand still, and each wave's period becomes an integer fraction of it, so a loop should last several periods of
-//     the swell. Compute a sea once, on the CPU if the CPU also asks for heights: the integers may round differently on
-//     another device. To change a member, call this again.
+// GaborOcean gabor_ocean_of(GaborSea sea)
+//     The waves of a sea; gabor_ocean is for any wind and what gabor_sea returns. The spectrum is JONSWAP's [HBB73]
+//     until the sea is fully developed [PM64], in finite depth that of [BGR85], and directions are those of [HDE80], as
+//     if the wind were at most twice as fast as the peak's waves: younger seas would have no direction. A swell has a
+//     narrow spread of directions and a sharp peak [G10]. Waves do not shorten towards a shore: the depth is one for
+//     all the sea. A loop's price: groups of waves stand still, and each wave's period becomes an integer fraction of
+//     it, so that it should last several periods of the swell; other values are rounded down. Compute a sea once, on
+//     the CPU if the CPU also asks for heights: the integers may round differently on another device. To change a
+//     member, call this again. Beyond their ranges, members count as the nearest value within.
 
 // The water particle whose position at rest is p. It is now at p + shift.
 struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where water folds,
-                    // with foam below 0.7
+    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where it folds
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
+    float3 velocity; // of the water in metres per second: along x, along y, and up
 };
 
-GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobian, float3 lost) {
-    GaborWater made = {height, slope, shift, jacobian, lost};
+GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobian, float3 lost, float3 velocity) {
+    GaborWater made = {height, slope, shift, jacobian, lost, velocity};
     return made;
 }
 // GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
@@ -88,17 +123,23 @@ GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobia
 //     measured [CM54], if the sea has neither a swell nor a loop. Below 4 m/s or 20 km of fetch, JONSWAP's waves alone
 //     have up to 1.8 times that.
 // float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
-//     The height of the water above the fixed point p, where a boat floats: six evaluations.
+//     The height of the water above the fixed point p, where a boat floats: six evaluations. CPU and GPU agree.
+// float gabor_foam(float2 p, float2 dx, float2 dy, GaborWater water, GaborOcean ocean, uint seed)
+//     The share of white water, 0 to 1, in a pixel whose water is gabor_water_filtered(p, dx, dy, ...): behind high
+//     crests, for some seconds. At any fetch, as much of the sea is white as Monahan and O'Muircheartaigh measured at
+//     its wind [MO80], at most 0.3, and at most 0.0015 below 6 m/s. dx and dy of float2(0.0) are for a point.
 // GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean,
 //                            uint seed)
 //     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
 //     of
 //     float2(0.0) do not filter.
 
-// [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint North Sea Wave
-// Project, 1973. [HDE80] Hasselmann, Dunckel, Ewing: Directional wave spectra observed during JONSWAP 1973, 1980.
-// [G10] Goda: Random seas, 2010. [CM54] Cox, Munk: Measurement of the roughness of the sea surface from photographs of
-// the sun's glitter, 1954. [PM64] Pierson, Moskowitz: A proposed spectral form for fully developed wind seas, 1964.
+// [BGR85] Bouws, Gunther, Rosenthal, Vincent: Similarity of the wind wave spectrum in finite depth water, 1985. [CM54]
+// Cox, Munk: Measurement of the roughness of the sea surface from photographs of the sun's glitter, 1954. [G10] Goda:
+// Random seas, 2010. [HBB73] Hasselmann and others: Measurements of wind-wave growth and swell decay during the Joint
+// North Sea Wave Project, 1973. [HDE80] Hasselmann, Dunckel, Ewing: Directional wave spectra observed during JONSWAP
+// 1973, 1980. [MO80] Monahan, O'Muircheartaigh: Optimal power-law description of oceanic whitecap coverage dependence
+// on wind speed, 1980. [PM64] Pierson, Moskowitz: A proposed spectral form for fully developed wind seas, 1964.
 
 // ====================================================================================================================
 // Private implementation
@@ -108,10 +149,10 @@ GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobia
 // the spectrum: an angle d from the band's direction and a frequency F, from which the wave number follows by the
 // dispersion relation of deep water, (2 pi F)^2 = g |2 pi k|. The lattice drifts with the band's group velocity V, so
 // that groups travel as they should; seen from there, phases turn by F - k.V. With V = g / (4 pi F0) along that
-// direction, k.V = F^2 / (2 F0) cos d. F - k.V is an integer, so that the phase is exact after any time, and the same
-// on every device: floats below 2^24 and powers of 2 are exact.
+// direction, k.V = F^2 / (2 F0) cos d in deep water. F - k.V is an integer, so that the phase is exact after any time,
+// and the same on every device: floats below 2^24 and powers of 2 are exact.
 //
-// Bands 1 to 3 and the swell hold most of the height: there, amplitudes are normal. In the others, their squares are
+// Bands 0 to 4 and the swell hold most of the height: there, amplitudes are normal. In the others, their squares are
 // uniform, to make up for the kurtosis that different directions give the slopes. Each seed shifts the lattices, so
 // that no place differs from others.
 
@@ -121,90 +162,107 @@ GaborWater GaborWater_of(float height, float2 slope, float2 shift, float jacobia
 #define GABOR_IMPL_TICK 1.52587890625e-5
 #define GABOR_IMPL_GRAVITY 9.81
 
-// A JONSWAP spectrum: the frequency of its peak, its scale, and the logarithm of how much its peak is raised.
+// A JONSWAP spectrum: the frequency of its peak, its scale, and the logarithm of how much its peak is raised. `depth`
+// is 0 for deep water, and `young` the power of frequencies over the peak's with which directions widen.
 struct GaborImplJonswap {
     float peak;
     float scale;
     float sharp;
+    float depth;
+    float young;
 };
 
-GaborImplJonswap GaborImplJonswap_of(float peak, float scale, float sharp) {
-    GaborImplJonswap made = {peak, scale, sharp};
+GaborImplJonswap GaborImplJonswap_of(float peak, float scale, float sharp, float depth, float young) {
+    GaborImplJonswap made = {peak, scale, sharp, depth, young};
     return made;
 }
 
 // The spectrum of waves that a wind raises over a fetch.
-GaborImplJonswap gabor_impl_wind_waves(float wind, float fetch) {
+GaborImplJonswap gabor_impl_wind_waves(float wind, float fetch, float depth) {
     float gravity = GABOR_IMPL_GRAVITY, reach = min(gravity * fetch / (wind * wind), 2.15e4);
     float peak = 3.5 * gravity / wind * pow(reach, -0.33);
     float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455; // (2 pi)^4
-    return GaborImplJonswap_of(peak, scale, 1.1939225);                         // ln 3.3
+    float age = min(22.0 * pow(reach, -0.33), 2.0);                          // the wind over the peak's phase speed
+    return GaborImplJonswap_of(peak, scale, 1.1939225, depth, -2.33 - 1.45 * (age - 1.17)); // ln 3.3
 }
 
-// The spectrum at a frequency in m^2 / Hz, and the same times f^4.
-float2 gabor_impl_spectrum(float f, GaborImplJonswap sea) {
+// Of waves of a frequency: the wave number, 2 pi over the wavelength in metres, and 2 depth / (sinh(2 depth)) for a
+// depth in wave numbers, 0 in deep water.
+float2 gabor_impl_dispersion(float f, float depth) {
+    float deep = 39.478418 / GABOR_IMPL_GRAVITY * f * f; // 4 pi^2
+    if (depth <= 0.0) return float2(deep, 0.0);
+    // Newton's method for x tanh x = y, where x is the wave number times the depth
+    float y = deep * depth, x = y * rsqrt(1.0 - exp(-2.0 * y)), e = 0.0;
+    for (int n = 0; n < 4; ++n) {
+        e = exp(-2.0 * x);
+        float slow = (1.0 - e) / (1.0 + e);
+        x -= (x * slow - y) / (slow + x * (1.0 - slow * slow));
+    }
+    e = exp(-2.0 * x);
+    return float2(x / depth, 4.0 * x * e / (1.0 - e * e));
+}
+
+// The spectrum at a frequency in m^2 / Hz, in finite depth by [BGR85].
+float gabor_impl_spectrum(float f, GaborImplJonswap sea) {
     float below = sea.peak * sea.peak / (f * f);
     float apart = (f / sea.peak - 1.0) / (f < sea.peak ? 0.07 : 0.09);
-    return sea.scale / f * exp(sea.sharp * exp(-0.5 * apart * apart) - 1.25 * below * below)
-         * float2(1.0 / (f * f * f * f), 1.0);
+    float deep = sea.scale / (f * f * f * f * f)
+               * exp(sea.sharp * exp(-0.5 * apart * apart) - 1.25 * below * below);
+    float2 waves = gabor_impl_dispersion(f, sea.depth);
+    float slow = 39.478418 / GABOR_IMPL_GRAVITY * f * f / waves.x; // 4 pi^2
+    return deep * slow * slow / (1.0 + waves.y);
 }
 
-// The frequency of step j of the 16, `width` wide, that a band's frequencies from `low` up are divided into.
-float gabor_impl_step_frequency(int j, float low, float width) {
-    return GABOR_IMPL_TICK * (low + (float(j) + 0.5) * width);
+// A band's frequencies, from `low` to 1 + reach / 1024 times that, are divided into 32 steps: their width in Hz, and
+// the frequency of step j.
+float gabor_impl_step_width(float low, float reach) {
+    return GABOR_IMPL_TICK * low * reach / 32768.0; // 32 * 1024
+}
+float gabor_impl_step_frequency(int j, float low, float reach) {
+    return GABOR_IMPL_TICK * low + (float(j) + 0.5) * gabor_impl_step_width(low, reach);
 }
 
-// The power of a band, and means over it. `rise` is 1024 F / low, as in gabor_impl_ocean_waves, less 1236 here.
+// The power of a band, and means over it. `rise` is 1024 F / low, as in gabor_impl_ocean_waves, less the band's middle.
 struct GaborImplBandPower {
-    float2 sum;       // the power, and the same times f^4
+    float sum;
+    float steep;    // the mean square of the wave number
     float variance; // the mean of sin(d / 2)^2, where d is the angle from the band's direction
     float4 fit;       // means of rise, r, rise^2 and rise r, where r^2 is the mean of sin(d / 2)^2 at that frequency
 };
 
-GaborImplBandPower GaborImplBandPower_of(float2 sum, float variance, float4 fit) {
-    GaborImplBandPower made = {sum, variance, fit};
+GaborImplBandPower GaborImplBandPower_of(float sum, float steep, float variance, float4 fit) {
+    GaborImplBandPower made = {sum, steep, variance, fit};
     return made;
 }
 
-GaborImplBandPower gabor_impl_band_power(float low, GaborImplJonswap sea, bool remote) {
-    GaborImplBandPower power = GaborImplBandPower_of((float2)(0.0), 0.0, (float4)(0.0));
-    float width = 0.025878906 * low; // 26.5/1024
-    for (int j = 0; j < 16; ++j) {
-        // 198.75 is 7.5 * 26.5
-        float f = gabor_impl_step_frequency(j, low, width), x = 26.5 * float(j) - 198.75, above = f / sea.peak;
+GaborImplBandPower gabor_impl_band_power(float low, float reach, GaborImplJonswap sea, bool remote) {
+    GaborImplBandPower power = GaborImplBandPower_of(0.0, 0.0, 0.0, (float4)(0.0));
+    for (int j = 0; j < 32; ++j) {
+        float f = gabor_impl_step_frequency(j, low, reach), x = (float(j) - 15.5) * reach / 32.0, above = f / sea.peak;
         // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-        float s = remote ? 75.0 : 9.77 * pow(above, above < 1.0 ? 4.06 : -2.34);
-        float here = 0.5 / (s + 1.0);
-        float2 part = GABOR_IMPL_TICK * width * gabor_impl_spectrum(f, sea);
+        float s = remote ? 75.0 : above < 1.0 ? 6.97 * pow(above, 4.06) : 9.77 * pow(above, sea.young); // [HDE80]
+        float here = 0.5 / (s + 1.0), k = gabor_impl_dispersion(f, sea.depth).x;
+        float part = gabor_impl_step_width(low, reach) * gabor_impl_spectrum(f, sea);
         power.sum += part;
-        power.variance += part.x * here;
-        power.fit += part.x * float4(x, sqrt(here), x * x, x * sqrt(here));
+        power.steep += part * k * k;
+        power.variance += part * here;
+        power.fit += part * float4(x, sqrt(here), x * x, x * sqrt(here));
     }
-    power.variance /= power.sum.x;
-    power.fit /= power.sum.x;
+    power.steep /= power.sum;
+    power.variance /= power.sum;
+    power.fit /= power.sum;
     return power;
 }
 
-// The directions of a band: its members `spread` and `widen`, and the mean of cos^2 d.
-struct GaborImplBandSpread {
-    float3 spread;
-    float2 widen;
-    float along;
-};
-
-GaborImplBandSpread GaborImplBandSpread_of(float3 spread, float2 widen, float along) {
-    GaborImplBandSpread made = {spread, widen, along};
-    return made;
-}
-
-// sin(d / 2) is (a u + b u^3 + c v) times 1 + widen rise, where u and v are uniform in [-1, 1].
-GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power) {
+// Sets the directions of a band, and returns the mean of cos^2 d. sin(d / 2) is (a u + b u^3 + c v) times
+// 1 + widen rise, where u and v are uniform in [-1, 1].
+float gabor_impl_set_directions(inout GaborOceanBand band, float reach, GaborImplBandPower power) {
     float variance = power.variance, deviation = sqrt(variance), narrow = 0.5 / variance - 1.8;
     float4 fit = power.fit;
     float c = 0.9 * deviation * clamp(narrow, 0.0, 1.0);
     float widen = clamp(0.3 * narrow, 0.0, 1.0) * (fit.w - fit.x * fit.y) / ((fit.z - fit.x * fit.x) * deviation);
     widen = floor(clamp(16384.0 * widen, -32.0, 32.0) + 0.5) / 16384.0;
-    float most = 1.0 / (1.0 + 212.0 * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
+    float most = 1.0 / (1.0 + 0.5 * reach * abs(widen) - fit.x * widen); // keeps sin(d / 2) below 1
     // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = rest, where a + b = end.
     float end = min(1.8 * deviation, most - c), rest = variance - c * c / 3.0;
     // 0.3047619 is 32/105, 0.0304762 is 16/525, 0.1142857 is 4/35 and 0.1523810 is 16/105
@@ -214,84 +272,161 @@ GaborImplBandSpread gabor_impl_band_spread(GaborImplBandPower power) {
     float fourth = a * a * a * (0.2 * a + 0.57142857 * b)
                  + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b)
                  + c * c * (2.0 * rest + 0.2 * c * c);
-    // 0.00390625 is 2^-8
-    return GaborImplBandSpread_of(floor(511.5 * float3(a, b, c)) * float3(8.0, 0.00390625, 8.0),
-                               floor(16384.0 * float2(1.0 - (fit.x + 1236.0) * widen, widen)),
-                               1.0 - 4.0 * variance + 4.0 * fourth);
+    band.spread = floor(511.5 * float2(a, b)) * float2(8.0, 0.00390625); // 2^-8
+    band.blunt = 8.0 * floor(511.5 * c);
+    band.widen = floor(16384.0 * float2(1.0 - (fit.x + 1024.0 + 0.5 * reach) * widen, widen));
+    return 1.0 - 4.0 * variance + 4.0 * fourth;
 }
 
-// The frequencies of a band whose power is `whole`: its members `early` and `late`, by the inverse of the distribution.
-// The knots have 0.0621, 0.2483, 0.4965, 0.7448, 0.931 and all of the power below them, instead of 1/16, 4/16, 8/16 and
-// so on: between them, frequencies are uniform, and thus too high. Lower knots keep the variance of the slopes.
-void gabor_impl_band_knots(float low, float whole, GaborImplJonswap sea, out float3 early, out float3 late) {
-    float3 first = (float3)(0.0), second = (float3)(0.0), ahead = float3(0.0621, 0.2483, 0.4965);
-    float width = 0.025878906 * low; // 26.5/1024
-    for (int n = 0; n < 16; ++n) {
-        float f = gabor_impl_step_frequency(n, low, width);
-        float part = GABOR_IMPL_TICK * width / whole * gabor_impl_spectrum(f, sea).x;
-        first += 26.5 * clamp(ahead / max(part, 1.0e-9), 0.0, 1.0);
-        second += 26.5 * clamp((ahead + float3(0.6827, 0.6827, 0.5035)) / max(part, 1.0e-9), 0.0, 1.0);
-        ahead -= part;
+// Of a step, the power before windows blur it by `blur` Hz, and how much the spectrum changes there. A band's low end
+// is blurred more than the high end of the band before.
+float2 gabor_impl_step_sharp(int n, float low, float reach, float blur, float2 edge, GaborImplJonswap sea) {
+    float f = gabor_impl_step_frequency(n, low, reach), here = gabor_impl_spectrum(f, sea);
+    float before = gabor_impl_spectrum(f - blur, sea), after = gabor_impl_spectrum(f + blur, sea);
+    float sharp = max(2.0 * here - 0.5 * (before + after), 0.2 * here);
+    return float2(sharp * (n < 4 ? edge.x : n < 28 ? 1.0 : edge.y), abs(after - before));
+}
+
+// Sets the frequencies of a band, by the inverse of their distribution. Between six knots, all have the same chance.
+// Knots stand closer where the spectrum changes. At least 8 of 1024 shares of power are between two.
+void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float blur, float2 beside,
+                                GaborImplJonswap sea) {
+    float2 sum = (float2)(0.0);
+    float steps = 32.0 * gabor_impl_step_width(band.low, reach);
+    float2 edge = clamp(1.0 + 2.3 * blur / steps * (1.0 - beside), 0.3, 1.7);
+    for (int n = 0; n < 32; ++n) sum += gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea);
+    // The shares of power below the knots, and how far the knots are from the lowest frequency.
+    float3 first = (float3)(0.0), second = (float3)(0.0), near = (float3)(0.0), far = (float3)(0.0);
+    float3 ahead = float3(1.0, 2.0, 3.0) / 6.0;
+    for (int n = 0; n < 32; ++n) {
+        float2 part = gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea) / sum;
+        float both = 0.5 * part.y + 0.015625; // 1/64
+        float3 early = clamp(ahead / both, 0.0, 1.0), late = clamp((ahead + 0.5) / both, 0.0, 1.0);
+        first += 1024.0 * part.x * early;
+        second += 1024.0 * part.x * late;
+        near += 0.03125 * reach * early;
+        far += 0.03125 * reach * late;
+        ahead -= both;
     }
-    early = floor((first - float3(0.0, first.xy)) * float3(4.0, 1.3333333, 1.0) + 0.5) / 256.0; // 4/3
-    late = floor((second - float3(first.z, second.xy)) * float3(1.0, 1.3333333, 4.0) + 0.5) / 256.0;
-    late -= float3(early.z, late.xy);
-    early -= float3(0.0, early.xy);
+    first = clamp(floor(first + 0.5), float3(8.0, 16.0, 24.0), float3(984.0, 992.0, 1000.0));
+    second = clamp(floor(second + 0.5), float3(32.0, 40.0, 1024.0), float3(1008.0, 1016.0, 1024.0));
+    first.y = max(first.y, first.x + 8.0);
+    first.z = max(first.z, first.y + 8.0);
+    second.x = max(second.x, first.z + 8.0);
+    second.y = max(second.y, second.x + 8.0);
+    float3 early = floor(256.0 * (near - float3(0.0, near.xy)) / (first - float3(0.0, first.xy)) + 0.5) / 256.0;
+    float3 late = floor(256.0 * (far - float3(near.z, far.xy)) / (second - float3(first.z, second.xy)) + 0.5) / 256.0;
+    band.rise = early.x;
+    band.knots = float4(first, second.x);
+    band.faster = float4(early.yz, late.xy) - float4(early, late.x);
+    band.last = float2(second.y, late.z - late.y);
 }
 
-GaborOcean gabor_ocean_of(float wind, float direction, float fetch, float3 swell, int loop_seconds) {
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^exponent metres apart. `beside` has
+// by how much less the band before it is blurred, and more the one behind it. `along` becomes
+// the mean of cos^2 d.
+GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direction, float2 beside, GaborImplJonswap sea,
+                               bool remote, bool stands, out float along) {
+    GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
+    GaborOceanBand band;
+    band.low = low;
+    band.exponent = exponent;
+    band.amplitude = sqrt(power.sum);
+    along = gabor_impl_set_directions(band, reach, power);
+    band.slopes = power.sum * power.steep * float2(along, 1.0 - along);
+    // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.
+    float quarter = 0.25 * GABOR_IMPL_TICK * low * reach / 1024.0, first = GABOR_IMPL_TICK * low + quarter;
+    float2 near = gabor_impl_dispersion(first, sea.depth) / first;
+    float2 far = gabor_impl_dispersion(first + 2.0 * quarter, sea.depth) / (first + 2.0 * quarter);
+    float deep = 39.478418 / GABOR_IMPL_GRAVITY; // 4 pi^2
+    float rate = sea.depth > 0.0 ? (far.x - near.x) / (2.0 * quarter) : deep;
+    float base = sea.depth > 0.0 ? near.x - rate * first : 0.0;
+    // The group velocity at the mean frequency is half the phase velocity times 1 + 2 depth / sinh(2 depth).
+    float mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
+    float2 waves = gabor_impl_dispersion(mean, sea.depth);
+    float speed = 3.1415927 * mean / waves.x * (1.0 + waves.y), spacing = exp2(float(exponent)); // pi
+    band.orbit = waves.x / (deep * mean * mean);
+    // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
+    float carry = 2097152.0 * 0.15915494 / 861.0 * speed;
+    band.carry = floor(carry * float2(1024.0 * base, rate * GABOR_IMPL_TICK * low) + 0.5) / 1024.0;
+    float2 drift = (stands ? 0.0 : 32768.0 * speed / spacing) * gabor_impl_wave(0.15915494 * direction);
+    band.drift = (int2)(floor(drift + 0.5));
+    // The windows add slopes, half of which are missing where set_frequencies makes spectra sharper.
+    float less = 1.0 - 1.5 / (spacing * spacing * power.steep);
+    band.number = less * GABOR_IMPL_TICK * float2(base, GABOR_IMPL_TICK * rate);
+    // The windows blur frequencies by 3.372^(1/2) / (2 pi) for each spacing that passes in a second.
+    gabor_impl_set_frequencies(band, reach, 0.2923 * speed / spacing, beside, sea);
+    return band;
+}
+
+// 2^(q/4), nearly, such that sums are exact.
+float gabor_impl_quarter_octave(int q) {
+    uint part = (q & 2) == 0 ? ((q & 1) == 0 ? 128u : 152u) : (q & 1) == 0 ? 181u : 215u;
+    return float(part << uint(q >> 2)) / 128.0;
+}
+
+GaborSea gabor_sea() {
+    return GaborSea_of(10.0, 2.0e5, 0.0, 12.0, 1.0471976, 0.0, 0.0, 0); // pi/3
+}
+
+GaborOcean gabor_ocean_of(GaborSea state) {
     GaborOcean ocean;
-    ocean.wind = clamp(wind, 2.0, 30.0);
-    ocean.direction = direction;
-    ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
-    ocean.swell = float3(clamp(swell.x, 0.0, 30.0), clamp(swell.y, 5.0, 25.0), swell.z);
-    ocean.loop_seconds = loop_seconds > 0 ? int(1u << uint(log2(float(clamp(loop_seconds, 8, 4096))) + 0.0002)) : 0;
+    ocean.wind = clamp(state.wind, 2.0, 30.0);
+    ocean.direction = state.direction;
+    ocean.fetch = clamp(state.fetch, 1.0e3, 1.0e6);
+    ocean.water_depth = state.water_depth > 0.0 ? clamp(state.water_depth, 1.0, 1.0e4) : 0.0;
+    float height = clamp(state.swell_height, 0.0, 30.0), period = clamp(state.swell_period, 5.0, 25.0);
+    int seconds = clamp(state.loop_seconds, 8, 4096);
+    ocean.loop_seconds = state.loop_seconds > 0 ? int(1u << uint(log2(float(seconds)) + 0.0002)) : 0;
     ocean.tail = float2(0.00316, 0.00192) * ocean.wind + float2(0.0, 0.003); // [CM54]
-    GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch);
-    int octave = int(floor(log2(0.62 * sea.peak / GABOR_IMPL_TICK)));
-    for (int i = 0; i <= GABOR_OCEAN_BANDS; ++i) {
-        float low = float(((i & 1) == 0 ? 128u : 181u) << uint(octave + i / 2)) / 128.0;
-        bool remote = i == GABOR_OCEAN_BANDS;
-        if (remote) { // the swell
-            sea.peak = 1.0 / ocean.swell.y;
-            sea.sharp = 2.0794415; // ln 8
-            // 0.0132813 is 0.85/64
-            low = 64.0 * floor(0.0132813 * sea.peak / GABOR_IMPL_TICK + 0.5); // 0.85 times the peak
-            direction = ocean.swell.z;
+    ocean.high = (float2)(0.0);
+    bool stands = ocean.loop_seconds > 0;
+    float along;
+    GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch, ocean.water_depth);
+    int first = int(floor(4.0 * log2(0.6 * sea.peak / GABOR_IMPL_TICK)));
+    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) { // half an octave of frequency each, but a quarter around the peak
+        int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
+        float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
+        float2 beside = float2(i == 1 || i == 3 ? 0.65 : i == 2 ? 1.19 : 0.7, i == 1 ? 0.84 : i == 2 ? 1.54 : 1.41);
+        GaborOceanBand band = gabor_impl_band(low, 1024.0 * (high / low - 1.0), exponent, ocean.direction, beside, sea,
+                                              false, stands, along);
+        if (low > 262144.0) { // below 0.1 m, waves are capillary
+            band.amplitude = 0.0;
+            band.slopes = (float2)(0.0);
         }
-        GaborImplBandPower power = gabor_impl_band_power(low, sea, remote);
-        GaborImplBandSpread spread = gabor_impl_band_spread(power);
-        GaborOceanBand band;
-        float tall = remote ? 0.0625 * ocean.swell.x * ocean.swell.x
-                     : low > 262144.0 ? 0.0 // below 0.1 m, waves are capillary
-                                      : power.sum.x;
-        band.amplitude = sqrt(tall);
-        // (4 pi^2 / g)^2
-        // 16.195056 was chosen near (4 pi^2 / g)^2, which is 16.195019
-        band.slopes = 16.195056 * tall * power.sum.y / power.sum.x * float2(spread.along, 1.0 - spread.along);
-        if (!remote) ocean.tail -= band.slopes;
-        band.exponent = remote ? int(floor(log2(18.0 / (sea.peak * sea.peak))))
-                               : 34 - 2 * octave - i + (i > 0 && i < 4 ? 1 : -1);
-        band.low = low;
-        float3 early, late;
-        gabor_impl_band_knots(low, power.sum.x, sea, early, late);
-        band.early = early;
-        band.late = late;
-        band.spread = spread.spread;
-        band.widen = spread.widen;
-        // 12.566371 is 4 pi and 1.1892071 is 2^(1/4)
-        float speed = ocean.loop_seconds > 0 ? 0.0
-                                     : 32768.0 * GABOR_IMPL_GRAVITY / (12.566371 * GABOR_IMPL_TICK * low * 1.1892071)
-                                           * exp2(-float(band.exponent));
-        band.drift = (int2)(floor(speed * gabor_impl_wave(0.15915494 * direction) + 0.5)); // 1/(2 pi)
         ocean.band[i] = band;
+        ocean.tail -= band.slopes;
+        ocean.high += band.amplitude * band.amplitude * float2(1.0, band.orbit * band.orbit * along);
     }
     ocean.tail = max(ocean.tail, 0.0);
+    GaborImplJonswap remote = GaborImplJonswap_of(1.0 / period, 1.0, 2.0794415, ocean.water_depth, 0.0); // ln 8
+    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
+    float k = gabor_impl_dispersion(remote.peak, ocean.water_depth).x;
+    // 17.363515 is 0.56 pi^3
+    height = min(height, 17.363515 / GABOR_IMPL_GRAVITY * remote.peak * remote.peak / (k * k));
+    ocean.swell = float3(height, period, state.swell_direction);
+    float turn = gabor_impl_wave(0.15915494 * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
+    for (int i = 0; i < 2; ++i) { // from 0.73 to 1.03 and on to 2.06 times the peak
+        float low = 64.0 * floor((i == 0 ? 0.0114 : 0.0161) * remote.peak / GABOR_IMPL_TICK + 0.5);
+        int exponent = int(floor(log2((i == 0 ? 9.0 : 4.5) * period * period)));
+        float2 beside = i == 0 ? float2(1.0, 1.2) : float2(0.8, 1.0);
+        GaborOceanBand band = gabor_impl_band(low, i == 0 ? 424.0 : 1024.0, exponent, ocean.swell.z, beside, remote,
+                                              true, stands, along);
+        float power = (i == 0 ? 0.0333 : 0.0292) * height * height; // in all 1/16
+        band.slopes *= power / (band.amplitude * band.amplitude);
+        band.amplitude = sqrt(power);
+        ocean.band[GABOR_OCEAN_BANDS + i] = band;
+        along = 1.0 - along + (2.0 * along - 1.0) * turn * turn;
+        ocean.high += power * float2(1.0, band.orbit * band.orbit * along);
+    }
+    ocean.high = sqrt(ocean.high);
     return ocean;
 }
 
 GaborOcean gabor_ocean(float wind) {
-    return gabor_ocean_of(wind, 0.0, 2.0e5, (float3)(0.0), 0);
+    GaborSea sea = gabor_sea();
+    sea.wind = wind;
+    return gabor_ocean_of(sea);
 }
 
 // ---- The water -----------------------------------------------------------------------------------------------------
@@ -349,38 +484,38 @@ GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, int2 cell, float
 struct GaborImplOceanWaves {
     float4 turning; // F - k.V, in quanta of frequency
     float4 k;       // wave number, 2 pi over the wavelength in metres
+    float4 fast;    // 2 pi F, in radians per second
     float4 heading_x;
     float4 heading_y;
 };
 
-GaborImplOceanWaves GaborImplOceanWaves_of(float4 turning, float4 k, float4 heading_x, float4 heading_y) {
-    GaborImplOceanWaves made = {turning, k, heading_x, heading_y};
+GaborImplOceanWaves GaborImplOceanWaves_of(float4 turning, float4 k, float4 fast, float4 heading_x, float4 heading_y) {
+    GaborImplOceanWaves made = {turning, k, fast, heading_x, heading_y};
     return made;
 }
 
-// `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` 1024 (F / low)^2 cos d.
-// `turning` is F - k.V, where k.V is `carried` times 861 / 2048, nearly 2^(-5/4). In a loop, the lattice stands.
-GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, uint4 word, bool normal, float2 heading, float quantum,
-                                           float scale, float half_step) {
+// `rise` is 1024 F / low, `angle` 2^24 sin(d / 2), `lag` 2048 sin(d / 2)^2, and `carried` k.V by `low`, times 2^21 /
+// 861. `turning` is F - k.V. In a loop, the lattice stands.
+GaborImplOceanWaves gabor_impl_ocean_waves(GaborOceanBand band, uint4 word, float2 heading, float quantum, float scale,
+                                           float half_step) {
     uint4 bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
     bits ^= bits >> 15u;
     // 10, 11 and 11 bits
     float4 share = (float4)(bits >> 22u), u = (float4)((int4)(bits << 10u) >> 21), w = (float4)((int4)(bits << 21u) >> 21);
-    float4 rise = trunc(1024.0 + band.early.x * share + band.early.y * max(share - 64.0, 0.0)
-                      + band.early.z * max(share - 256.0, 0.0) + band.late.x * max(share - 512.0, 0.0)
-                      + band.late.y * max(share - 768.0, 0.0) + band.late.z * max(share - 960.0, 0.0));
+    float4 rise = trunc(1024.0 + band.rise * share + band.faster.x * max(share - band.knots.x, 0.0)
+                      + band.faster.y * max(share - band.knots.y, 0.0) + band.faster.z * max(share - band.knots.z, 0.0)
+                      + band.faster.w * max(share - band.knots.w, 0.0) + band.last.y * max(share - band.last.x, 0.0));
     float4 bent = trunc(band.spread.x + band.spread.y * trunc(0.001953125 * u * u)); // 2^-9
-    float4 angle = trunc(2.44140625e-4 * (u * bent + w * band.spread.z)) * (band.widen.x + band.widen.y * rise); // 2^-12
+    float4 angle = trunc(2.44140625e-4 * (u * bent + w * band.blunt)) * (band.widen.x + band.widen.y * rise); // 2^-12
     float4 part = trunc(1.220703125e-4 * angle), lag = trunc(4.8828125e-4 * part * part); // 2^-13, 2^-11
-    float4 steep = trunc(9.765625e-4 * rise * rise), carried = steep - trunc(9.765625e-4 * steep * lag); // 2^-10
-    float4 count = trunc(scale * rise + half_step);
-    // 6.7265625 is 861/128
-    float4 turning = quantum * count - trunc((quantum > 1.0 ? 0.0 : band.low / 16384.0) * trunc(6.7265625 * carried));
-    // 2 pi k, less 0.1 or 2 % for the slopes that the windows add
-    float4 k = (normal ? 0.9986 : 0.978) * 9.37e-10 * quantum * quantum * count * count;
+    float4 steep = trunc(9.765625e-4 * rise * trunc(band.carry.x + band.carry.y * rise)); // 2^-10
+    float4 carried = steep - trunc(9.765625e-4 * steep * lag), ticks = quantum * trunc(scale * rise + half_step);
+    // 6.7265625 is 861/128, and 9.5873799e-5 is 2 pi / 65536
+    float4 turning = ticks - trunc((quantum > 1.0 ? 0.0 : band.low / 16384.0) * trunc(6.7265625 * carried));
+    float4 k = ticks * (band.number.x + band.number.y * ticks);
     float4 chord = 1.1920929e-7 * angle, cosine = 1.0 - 0.5 * chord * chord; // 2^-23
     float4 sine = chord * sqrt(1.0 - 0.25 * chord * chord);
-    return GaborImplOceanWaves_of(turning, k, heading.x * cosine - heading.y * sine,
+    return GaborImplOceanWaves_of(turning, k, 9.5873799e-5 * ticks, heading.x * cosine - heading.y * sine,
                                heading.y * cosine + heading.x * sine);
 }
 
@@ -391,13 +526,13 @@ void gabor_impl_add_band(inout GaborWater sum, inout float3 squeeze, GaborOceanB
                          float2 dy, uint seed) {
     float scale = 9.765625e-4 * band.low * quantum.y, half_step = max(0.5, 1.0 - 1024.0 * scale); // 2^-10
     float lowest = quantum.x * floor(1024.0 * scale + half_step);
-    float longest = 1.486e-10 * lowest * lowest; // the least k, 2 pi F^2 / g
+    float longest = 0.15915494 * lowest * (band.number.x + band.number.y * lowest); // 1/(2 pi) of the least k
     if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
         sum.lost += gabor_impl_slopes_along(band.slopes, heading);
         return;
     }
     GaborImplOceanNodes nodes = gabor_impl_ocean_nodes(band, cell, local, second, fraction, gabor_impl_salt(seed));
-    GaborImplOceanWaves waves = gabor_impl_ocean_waves(band, nodes.word, normal, heading, quantum.x, scale, half_step);
+    GaborImplOceanWaves waves = gabor_impl_ocean_waves(band, nodes.word, heading, quantum.x, scale, half_step);
     float4 k = waves.k, x = waves.heading_x, y = waves.heading_y;
     uint4 ticks = ((uint4)((int4)(waves.turning)) * uint(second) + (nodes.word >> 16u)) & 0xffffu;
     // 0.15915494 is 1/(2 pi) and 1.52587890625e-5 is 2^-16
@@ -407,19 +542,24 @@ void gabor_impl_add_band(inout GaborWater sum, inout float3 squeeze, GaborOceanB
     float2 c = gabor_impl_wave(phase.z), d = gabor_impl_wave(phase.w);
     float4 steps_x = k * (x * dx.x + y * dx.y), steps_y = k * (x * dy.x + y * dy.y);
     float4 kept = exp(-0.125 * (steps_x * steps_x + steps_y * steps_y));
-    // The amplitude's square is uniform. For a normal distribution, the amplitude is nearly sqrt(-2 ln(1 - square)).
-    float4 square = 1.52587890625e-5 * (float4)(nodes.word & 0xffffu), amplitude = kept * sqrt(square);
-    // fit: see tools/constants.py
-    amplitude *= normal ? 1.3034767 + 0.3870924 * square + 0.0960481 / (1.0580433 - square) : (float4)(2.0);
-    float4 height = amplitude * float4(a.y, b.y, c.y, d.y), along = nodes.window * amplitude * float4(a.x, b.x, c.x, d.x);
+    // The amplitude's square is uniform or, for a normal distribution, exponential.
+    float4 square = 1.52587890625e-5 * (float4)(nodes.word & 0xffffu);
+    float4 amplitude = kept * sqrt(normal ? -2.0 * log(1.0 - square) : 4.0 * square);
+    float4 height = amplitude * float4(a.y, b.y, c.y, d.y), along = amplitude * float4(a.x, b.x, c.x, d.x);
+    float2 drift = exp2(float(band.exponent)) / 32768.0 * (float2)(band.drift); // metres per second
+    float4 passing = drift.x * nodes.window_x + drift.y * nodes.window_y;
+    float4 moving = waves.fast * nodes.window * height - passing * along;
+    sum.velocity.z -= dot(height, passing);
+    along *= nodes.window;
+    sum.velocity -= float3(-band.orbit * float2(dot(moving, x), dot(moving, y)), dot(waves.fast, along));
     sum.slope += float2(dot(height, nodes.window_x), dot(height, nodes.window_y));
     height *= nodes.window;
     float4 steepness = k * along, squeezed = k * height;
-    float4 lost = (normal ? 1.003 : 1.048) * nodes.window * nodes.window * k * k * (1.0 - kept * kept);
+    float4 lost = 1.006 * nodes.window * nodes.window * k * k * (1.0 - kept * kept);
     sum.height += dot(height, (float4)(1.0));
     sum.slope += float2(dot(steepness, x), dot(steepness, y));
-    sum.shift += float2(dot(along, x), dot(along, y));
-    squeeze += float3(dot(squeezed, x * x), dot(squeezed, x * y), dot(squeezed, (float4)(1.0)));
+    sum.shift += band.orbit * float2(dot(along, x), dot(along, y));
+    squeeze += band.orbit * float3(dot(squeezed, x * x), dot(squeezed, x * y), dot(squeezed, (float4)(1.0)));
     sum.lost += float3(dot(lost, x * x), dot(lost, x * y), dot(lost, (float4)(1.0)));
 }
 
@@ -427,7 +567,7 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
                           uint seed) {
     // 0.15915494 is 1/(2 pi)
     float2 wind = gabor_impl_wave(0.15915494 * ocean.direction), swell = gabor_impl_wave(0.15915494 * ocean.swell.z);
-    GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind));
+    GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, gabor_impl_slopes_along(ocean.tail, wind), (float3)(0.0));
     float3 squeeze = (float3)(0.0);
     // 1.52587890625e-5 is 2^-16
     float2 quantum = ocean.loop_seconds > 0
@@ -435,10 +575,11 @@ GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, f
                                   : (float2)(1.0);
     float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
     float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
-    for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 1 : GABOR_OCEAN_BANDS); ++i) {
-        bool remote = i == GABOR_OCEAN_BANDS; // the swell, the same for any bands
-        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || (i > 0 && i < 4), remote ? swell : wind, quantum,
-                            least, cell, local, second, fraction, dx, dy, gabor_derived_seed(seed, remote ? 12 : i));
+    for (int i = 0; i < (ocean.swell.x > 0.0 ? GABOR_OCEAN_BANDS + 2 : GABOR_OCEAN_BANDS); ++i) {
+        bool remote = i >= GABOR_OCEAN_BANDS; // the swell, the same for any bands
+        gabor_impl_add_band(water, squeeze, ocean.band[i], remote || i < 5, remote ? swell : wind, quantum,
+                            least, cell, local, second, fraction, dx, dy,
+                            gabor_derived_seed(seed, remote ? i - GABOR_OCEAN_BANDS + 12 : i));
     }
     water.jacobian = (1.0 - squeeze.x) * (1.0 - squeeze.z + squeeze.x) - squeeze.y * squeeze.y;
     water.lost = float3(water.lost.x, water.lost.z - water.lost.x, water.lost.y);
@@ -456,9 +597,67 @@ GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed) {
 }
 
 float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed) {
-    GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, (float3)(0.0));
+    GaborWater water = GaborWater_of(0.0, (float2)(0.0), (float2)(0.0), 0.0, (float3)(0.0), (float3)(0.0));
     for (int i = 0; i < 6; ++i) water = gabor_water(p - water.shift, seconds, ocean, seed);
     return water.height;
+}
+
+// ---- Foam ----------------------------------------------------------------------------------------------------------
+
+// The share of a noise's amplitude that a pixel keeps. `density` is in kernel radii per metre, `wave` in turns. The
+// variance along a side is a twelfth of its square.
+float gabor_impl_foam_kept(float4 pixel, float2 density, float2 wave) {
+    float2 turns = wave.x * density.x * pixel.xz + wave.y * density.y * pixel.yw;
+    float4 radii = pixel * float4(density, density);
+    return exp(-1.645 * dot(turns, turns) - 0.137 * dot(radii, radii)); // 2 pi^2 / 12, and of a window
+}
+
+float gabor_foam(float2 p, float2 dx, float2 dy, GaborWater water, GaborOcean ocean, uint seed) {
+    float covered = 3.84e-6 * pow(ocean.wind, 3.41); // [MO80]
+    covered = min(covered, ocean.wind < 6.0 ? 0.0015 : 0.3);
+    float2 along = gabor_impl_wave(0.15915494 * ocean.direction); // 1/(2 pi)
+    // Along the wind and across it, as all from here on
+    float4 pixel = float4(dot(along, dx), along.x * dx.y - along.y * dx.x, dot(along, dy), along.x * dy.y - along.y * dy.x);
+    float2 sides = float2(dot(pixel.xz, pixel.xz), dot(pixel.yw, pixel.yw));
+    float kept = 1.0e-6;
+    for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
+        float power = ocean.band[i].amplitude * ocean.band[i].amplitude;
+        // Instead of exp(-3 (rest - 1)), because waves differ
+        float rest = 1.0 + dot(ocean.band[i].slopes, sides) / max(12.0 * power, 1.0e-9);
+        kept += power / (rest * rest * rest);
+    }
+    kept /= ocean.high.x * ocean.high.x;
+    // Half the square of the height of a crest that has passed here, in variances, and how long ago, in radians. Foam
+    // is where a high one passed not long ago.
+    float2 crest = float2(water.height, dot(along, water.shift)) / (sqrt(max(kept, 0.01)) * ocean.high);
+    float age = atan2(crest.y, crest.x), energy = 0.5 * dot(crest, crest);
+    energy /= 1.0 + 0.06 * (age < 0.0 ? age + 6.2831853 : age); // 2 pi
+    // The energy above which that share of the sea is, with the noises' variance.
+    float rare = -log(covered);
+    float least = 0.7546 + (0.5536 + 0.01386 * rare) * rare + 0.9014 * log(rare); // fit: see tools/constants.py
+    // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
+    float2 place = clamp(0.6 / ocean.high.x, 0.3, 6.0) * float2(dot(along, p), along.x * p.y - along.y * p.x);
+    pixel *= clamp(0.6 / ocean.high.x, 0.3, 6.0);
+    float2 torn = float2(gabor_noise(float2(0.06, 0.25) * place, 0.4, 1.3, gabor_derived_seed(seed, 14)),
+                     gabor_noise(float2(0.4, 1.1) * place, 0.6, 1.2, gabor_derived_seed(seed, 15)));
+    float3 net = float3(gabor_noise(float2(0.8, 1.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 16)),
+                    gabor_noise(float2(2.6, 4.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 17)),
+                    gabor_noise(float2(10.0, 16.0) * place, 0.0, 0.0, gabor_derived_seed(seed, 18)));
+    float2 torn_kept = float2(gabor_impl_foam_kept(pixel, float2(0.06, 0.25), float2(0.107, 0.3854)),
+                          gabor_impl_foam_kept(pixel, float2(0.4, 1.1), float2(0.2174, 0.5592)));
+    float3 net_kept = float3(gabor_impl_foam_kept(pixel, float2(0.8, 1.6), (float2)(0.0)),
+                         gabor_impl_foam_kept(pixel, float2(2.6, 4.6), (float2)(0.0)),
+                         gabor_impl_foam_kept(pixel, float2(10.0, 16.0), (float2)(0.0)));
+    net_kept *= net_kept; // zeros are thinner than waves
+    // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
+    float2 torn_weight = float2(0.96, 0.72) * torn_kept;
+    float3 net_weight = float3(0.58, 0.44, 0.33) * net_kept;
+    float value = energy - least + dot(torn_weight, torn) + dot(net_weight, 0.7979 - abs(net));
+    float removed = 1.763 - dot(torn_weight, torn_weight) - 0.3634 * dot(net_weight, net_weight); // as in the fit
+    float x = value * rsqrt(removed);
+    // Nearly the normal distribution: 1.5957691 is 2 (2/pi)^(1/2), and 0.044715 was chosen for the least error.
+    float share = 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));
+    return lerp(covered, share, min(kept, 1.0));
 }
 
 #endif

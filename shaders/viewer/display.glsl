@@ -6,17 +6,17 @@
 // These are specialization constants because CPU drivers run every branch. The outputs are 0 value, 1 gradient, 2 phase,
 // 3 intensity, 4 variance, 5 stripes, 6 lit height, 7 lit stripes, 8 colours and, for materials, 9 lit, 10 colour, 11 height,
 // 12 normal, 13 roughness, 14 metalness.
-layout(constant_id = 0) const int output_shown = 0;
-layout(constant_id = 1) const int colours = 0;      // the colour map
-layout(constant_id = 2) const int channels = 1;
-layout(constant_id = 3) const int companion = 0;    // the first channel that the output needs besides the noise
-layout(constant_id = 4) const int normal_at = -1;   // first of four channels, a body's normal and gradient.z, or -1
-layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, -1 for none
-layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
-layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
-layout(constant_id = 8) const int profile = 0;      // profile of stripes
-layout(constant_id = 9) const bool unlit = false;   // whether to show normals instead of light
-layout(constant_id = 10) const int environment = 0; // what surrounds a lit surface
+layout(constant_id = display_output_id) const int output_shown = 0;
+layout(constant_id = display_colours_id) const int colours = 0;      // the colour map
+layout(constant_id = display_channels_id) const int channels = 1;
+layout(constant_id = display_companion_id) const int companion = 0;    // the first channel that the output needs besides the noise
+layout(constant_id = display_normal_id) const int normal_at = -1;   // first of four channels, a body's normal and gradient.z, or -1
+layout(constant_id = display_coverage_id) const int coverage_at = -1; // channel of the coverage, -1 for none
+layout(constant_id = display_coarse_id) const bool coarse = false;  // whether the grid is coarser than the pixels
+layout(constant_id = display_tiles_id) const bool tiles = false;   // whether to repeat the canvas two by two
+layout(constant_id = display_profile_id) const int profile = 0;      // profile of stripes
+layout(constant_id = display_unlit_id) const bool unlit = false;   // whether to show normals instead of light
+layout(constant_id = display_environment_id) const int environment = 0; // what surrounds a lit surface
 
 #include "passes/channels.h"
 #include "passes/light.glsl"

@@ -10,6 +10,20 @@ GABOR_INTERFACE_BEGIN
 const uint display_group = 256; // pixels per group, when writing files
 const int own_colours = 5;      // the number of the user's colour map
 
+// The ids of the specialization constants that viewer/display.glsl describes.
+const uint display_output_id = 0;
+const uint display_colours_id = 1;
+const uint display_channels_id = 2;
+const uint display_companion_id = 3;
+const uint display_normal_id = 4;
+const uint display_coverage_id = 5;
+const uint display_coarse_id = 6;
+const uint display_tiles_id = 7;
+const uint display_profile_id = 8;
+const uint display_unlit_id = 9;
+const uint display_environment_id = 10;
+const uint display_constant_count = 11;
+
 GABOR_PUSH_CONSTANTS(DisplayPush) {
     vec2 origin;     // origin of the canvas in the framebuffer, in pixels
     ivec2 grid;      // number of values along x and y

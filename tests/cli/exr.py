@@ -47,6 +47,11 @@ class Exr:
         return self.channels["Y"]
 
 
+def header(path):
+    """Returns the attributes, name -> (type, bytes), of a file with any compression."""
+    return read_attributes(pathlib.Path(path).read_bytes(), len(START))[0]
+
+
 class Texture:
     """An uncompressed tiled file with levels, each half as large as the one before, rounded down. levels: for each level,
     name -> array of height x width."""

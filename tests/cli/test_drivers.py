@@ -2,7 +2,9 @@
 on another driver, SwiftShader. GABOR_OTHER_PROGRAM can name a build by another compiler, which must give the same bytes."""
 
 import glob
+import json
 import os
+import pathlib
 import unittest
 
 import numpy as np
@@ -51,6 +53,16 @@ class Drivers(ProgramTest):
                 difference = np.abs(pixels[0][channel] - pixels[1][channel]).max()
                 print(f"  {' '.join(options)}, {channel}: the drivers differ by {difference:.1e}")
                 self.assertLessEqual(difference, 4e-5 * frequency / 4 * slope)
+
+    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe")
+    def test_drivers_over_metal_are_listed(self):
+        """The loader hides drivers that call themselves portability drivers, as MoltenVK does, unless a program asks for them."""
+        driver = json.loads(pathlib.Path(LAVAPIPE).read_text())
+        driver["ICD"]["is_portability_driver"] = True
+        (self.folder / "driver.json").write_text(json.dumps(driver))
+        drivers = {"VK_ICD_FILENAMES": f"{self.folder}/driver.json", "VK_DRIVER_FILES": None}
+        self.assertIn("llvmpipe", self.succeed("devices", env=drivers))
+        self.succeed("render", "-o", "out.exr", "--size=8x8", env=drivers)
 
     def test_two_compilers_agree(self):
         other = os.environ.get("GABOR_OTHER_PROGRAM")

@@ -33,17 +33,17 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--elevation", "--extent", "--cover", "--boards",
-                              "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--altitude",
+                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--full-range", "--elevation", "--extent", "--cover", "--water-level", "--boards",
+                              "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--water-depth", "--loop-seconds", "--altitude",
                               "--light-azimuth", "--light-elevation", "--environment", *FRACTAL),
-                   "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--half",
-                            "--compression", "--device", "--material", "--boards", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover"),
+                   "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--float",
+                            "--compression", "--device", "--material", "--boards", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover", "--water-level"),
                    "texture": ("-o,--output", "--size", "--preset", "--like", "--region", "--level", "--half", "--frames", "--device", "--material",
                                "--boards", "--scale", "--recipe", "--frequency", "--orientation", "--frequency-spread", "--orientation-spread",
                                "--lobes", "--seed", "--evolution", "--paint", "--gradient", "--phasor", "--view", "--tileable", "--light-azimuth",
                                "--light-elevation", "--environment", *FRACTAL),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
-                             "--gully-width", "--nodata", "--compression", "--seed", "--tileable", "--device"),
+                             "--gully-width", "--nodata", "--byte-order", "--encoding", "--full-range", "--only-height", "--offset", "--steepness", "--relief", "--compression", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
@@ -94,9 +94,9 @@ class Help(ProgramTest):
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
         terrain = ["--view=terrain", "--write-heightmap=out.png"]
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom", "--light-azimuth", "--light-elevation", "--environment"), ["--material=sand", "--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
-                 **dict.fromkeys(("--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--loop-seconds", "--seconds", "--altitude"), ["--view=ocean"]), **dict.fromkeys(FRACTAL[1:], ["--fractal=fbm"]), "--extent": terrain, "--cover": terrain, "--elevation": terrain}
+                 **dict.fromkeys(("--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--water-depth", "--loop-seconds", "--seconds", "--altitude"), ["--view=ocean"]), **dict.fromkeys(FRACTAL[1:], ["--fractal=fbm"]), "--extent": terrain, "--cover": terrain, "--water-level": terrain, "--elevation": terrain}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 to extent/8 if --extent is given, else 0,1000": "0,1000"}
-        for command, number in ("render", 45), ("erode", 18):
+        for command, number in ("render", 47), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             given = {}  # the defaults of each command line's options; a file of heights has a range of its own

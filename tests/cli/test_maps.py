@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from exr import Exr, Texture
+from exr import Exr, Texture, header, read_channel_types
 from png import read_colour_png, read_deep_colour_png, read_deep_png, read_grey_png
 from program import RenderTest
 
@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
          "material.mtlx", "material.gltf", "material.json"}
 WIDTH, HEIGHT = 96, 64
+PLAIN = "--float", "--compression=none"  # what Exr reads
 VALIDATE = """
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -23,6 +24,27 @@ const [folder, validator] = process.argv.slice(1), read = name => new Uint8Array
 const report = await createRequire(import.meta.url)(validator).validateBytes(read("material.gltf"),
     { externalResourceFunction: async name => read(name) });
 console.log(JSON.stringify(report.issues.messages.filter(message => message.severity < 2))); // errors and warnings
+"""
+# Prints the factors by which MaterialX's shader of the node `metres` multiplies the lowest and the highest height.
+CONVERTED = """
+import re, sys
+import MaterialX as mx
+from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader as generation
+document, library = mx.createDocument(), mx.createDocument()
+mx.readFromXmlFile(document, sys.argv[1])
+mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
+document.importLibrary(library)
+generator = PyMaterialXGenGlsl.GlslShaderGenerator.create()
+system, converters, distance = generation.UnitSystem.create(generator.getTarget()), mx.UnitConverterRegistry.create(), library.getUnitTypeDef("distance")
+converters.addUnitConverter(distance, mx.LinearUnitConverter.create(distance))
+system.loadLibrary(library)
+system.setUnitConverterRegistry(converters)
+generator.setUnitSystem(system)
+context = generation.GenContext(generator)
+context.registerSourceCodeSearchPath(mx.getDefaultDataSearchPath())
+context.getOptions().targetDistanceUnit = sys.argv[2]
+text = generator.generate("metres", document.getNode("metres"), context).getSourceCode("pixel")
+print(*re.findall("metres_out(?:low|high)_unit_in2 = ([0-9.]+)", text))
 """
 
 
@@ -32,7 +54,7 @@ def encoded(light):
 
 class Maps(RenderTest):
     def maps(self, *options, material="strata"):
-        self.succeed("maps", "--material", material, f"--size={WIDTH}x{HEIGHT}", "-o", "set", "--no-tileable", *options)
+        self.succeed("maps", "--material", material, f"--size={WIDTH}x{HEIGHT}", "-o", "set", "--no-tileable", *PLAIN, *options)
         folder = self.folder / "set"
         channels = Exr(folder / "maps.exr").channels
         return folder, {name: values.astype(float) for name, values in channels.items()}
@@ -56,9 +78,8 @@ class Maps(RenderTest):
 
     def test_normals_match_the_height(self):
         """A normal's x axis points right and its y axis up. At this scale, the height is smooth over two pixels."""
-        scale = 4000
-        _, maps = self.maps(f"--scale={scale}")
-        down, right = np.gradient(maps["height"], 1 / scale)
+        _, maps = self.maps("--scale=4000", "--width-metres=0.3")
+        down, right = np.gradient(maps["height"], 0.3 / WIDTH)
         for axis, slope in (("x", -right), ("y", down)):
             error = (maps[f"normal.{axis}"] / maps["normal.z"] - slope)[1:-1, 1:-1]
             self.assertLess(error.std(), 0.02 * slope.std(), axis)
@@ -74,16 +95,16 @@ class Maps(RenderTest):
                 slopes = [0 * height]
                 for step in 1, 2, 4, 8, 16, 32:
                     at = np.ravel_multi_index((y + step * down, x + step * right), height.shape, mode=mode)
-                    slopes.append((height.ravel()[at] - height) * 20 / (step * np.hypot(right, down)))
+                    slopes.append((height.ravel()[at] - height) * WIDTH / (step * np.hypot(right, down)))
                 open_sky = open_sky + 1 / (1 + np.max(slopes, axis=0) ** 2) / 8
             np.testing.assert_allclose(maps["occlusion"], open_sky, atol=1e-6, err_msg=mode)
             self.assertLess(open_sky.min(), 0.7)
 
     def test_maps_of_terrain(self):
         """Are those of the picture from above: the ground is rough and no metal, and normals follow from its slopes."""
-        land = ("--view=terrain", f"--size={WIDTH}x{HEIGHT}", "--scale=12", "--extent=800", "--seed=3")
+        land = (*PLAIN, "--view=terrain", f"--size={WIDTH}x{HEIGHT}", "--scale=12", "--extent=800", "--seed=3")
         self.succeed("maps", *land, "-o", "land", "--no-tileable")
-        self.succeed("render", *land, "-o", "above.exr")
+        self.succeed("render", *land[2:], "--compression=none", "-o", "above.exr")
         maps, above = (Exr(self.folder / name).channels for name in ("land/maps.exr", "above.exr"))
         self.assertEqual(set(maps), {"R", "G", "B", "height", "roughness", "metalness", "normal.x", "normal.y", "normal.z", "occlusion"})
         for name in ("R", "G", "B", "height"):
@@ -99,6 +120,21 @@ class Maps(RenderTest):
             for name in maps.keys() - {"height"}:
                 np.testing.assert_allclose(same[name], maps[name], rtol=1e-5, atol=1e-5, err_msg=f"{name} of a land of {extent} m")
 
+    def test_heights_alone_have_32_bits_unless_asked_for(self):
+        """The others are the nearest halves."""
+        _, whole = self.maps()
+        for options, method in ((["--compression=none"], 0), ([], 1), (["--texture", "--compression=none"], 0)):
+            size = "64" if "--texture" in options else f"{WIDTH}x{HEIGHT}"
+            self.succeed("maps", "--material=strata", f"--size={size}", "-o", "halves", "--no-tileable", *options)
+            attributes = header(self.folder / "halves/maps.exr")
+            self.assertEqual(attributes["compression"][1], bytes([method]))
+            types = read_channel_types(attributes["channels"][1])
+            self.assertEqual({name for name, kind in types.items() if kind == "<f4"}, {"height"})
+            self.assertEqual(set(types.values()), {"<f2", "<f4"})
+            if options == ["--compression=none"]:
+                for name, values in Exr(self.folder / "halves/maps.exr").channels.items():
+                    np.testing.assert_array_equal(values, whole[name].astype(types[name]), name)
+
     def test_tiles_have_no_seam_in_any_map(self):
         _, maps = self.maps("--tileable", material="leather")
         for name, values in maps.items():
@@ -109,7 +145,7 @@ class Maps(RenderTest):
     def test_scratches_of_a_tile_are_as_thin_as_others(self):
         """Measures the largest square within scratches, in pixels."""
         for option in ("--tileable", "--no-tileable"):
-            self.succeed("maps", "--material=scratches", "--seed=5", "--size=384", "--scale=96", option, "-o", "set")
+            self.succeed("maps", "--material=scratches", "--seed=5", "--size=384", "--scale=96", "--width-metres=4", *PLAIN, option, "-o", "set")
             inside, side = Exr(self.folder / "set/maps.exr").channels["height"] < -0.25 * 0.0025, 0
             while inside.any():
                 inside, side = inside[:-1, :-1] & inside[1:, :-1] & inside[:-1, 1:] & inside[1:, 1:], side + 1
@@ -150,20 +186,33 @@ class Maps(RenderTest):
         self.assertEqual({described["name"], material["name"], document.find("surfacematerial").get("name")}, {"strata"})
         for name in ("base_color", "normal", "height", "roughness", "metalness", "occlusion"):
             self.assertEqual(described[name]["file"], f"{name}.png")
+            self.assertEqual(described[name]["color_space"], "sRGB" if name == "base_color" else "Non-Color")
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_documents_state_the_size_and_the_heights_in_metres(self):
         for options, metres in (([], 1), (["--width-metres=0.2"], 0.2)):
             folder, maps = self.maps(*options)
-            wide = WIDTH / Exr(folder / "maps.exr").parameters["scale"]
-            self.assert_metres(folder, (metres, metres * HEIGHT / WIDTH), maps["height"] * metres / wide)
+            scale = Exr(folder / "maps.exr").parameters["scale"]
+            self.succeed("render", "--material=strata", f"--size={WIDTH}x{HEIGHT}", f"--scale={scale}", "--filter", "-o", "picture.exr")
+            radius = metres * scale / WIDTH
+            np.testing.assert_allclose(maps["height"], radius * Exr(self.folder / "picture.exr").channels["height"], rtol=1e-6)
+            self.assert_metres(folder, (metres, metres * HEIGHT / WIDTH), maps["height"])
         for options, metres in (([], 8000), (["--width-metres=2"], 2)):
-            self.succeed("maps", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "-o", "land", *options)
+            self.succeed("maps", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "-o", "land", *PLAIN, *options)
+            self.succeed("render", "--view=terrain", f"--size={WIDTH}", "--extent=8000", "--like=land/maps.exr", "-o", "above.exr")
             heights = Exr(self.folder / "land/maps.exr").channels["height"]
-            self.assert_metres(self.folder / "land", (metres, metres), heights * (metres / 8000))
+            np.testing.assert_allclose(heights, Exr(self.folder / "above.exr").channels["height"] * (metres / 8000), rtol=1e-6)
+            self.assert_metres(self.folder / "land", (metres, metres), heights)
+        self.succeed("maps", "--material=strata", "--strata.relief=0", "--size=32", "-o", "flat", *PLAIN)
+        heights = Exr(self.folder / "flat/maps.exr").channels["height"]
+        self.assertEqual(np.ptp(heights), 0)
+        self.assert_metres(self.folder / "flat", (1, 1), heights)
 
     def assert_metres(self, folder, size, heights):
-        """Checks the sizes and ranges of heights that all three documents state."""
+        """Checks the sizes and ranges of heights that all documents state, and that Blender's formula, strength * (pixel - midlevel),
+        makes these heights of height.png."""
+        attributes = Exr(folder / "maps.exr").attributes
+        self.assertEqual((attributes["gabor.width"], attributes["gabor.unit"]), (("float", np.float32(size[0]).tobytes()), ("string", b"metre")))
         described = json.loads((folder / "material.json").read_text())
         scene = json.loads((folder / "material.gltf").read_text())
         document = ElementTree.parse(folder / "material.mtlx")
@@ -176,10 +225,15 @@ class Maps(RenderTest):
         for low, high in ((described["height"]["low"], described["height"]["high"]), (values("outlow")[0][0], values("outhigh")[0][0]),
                           [scene["materials"][0]["extras"]["height"][end] for end in ("low", "high")]):
             np.testing.assert_allclose((low, high), (heights.min(), heights.max()), rtol=1e-5)
+        self.assertEqual({(each.get("unittype"), each.get("unit")) for name in ("outlow", "outhigh")
+                          for each in document.iterfind(f".//input[@name='{name}']")}, {("distance", "meter")})
+        strength, midlevel = described["height"]["strength"], described["height"]["midlevel"]
+        shown = strength * (read_deep_png(folder / "height.png") / 65535 - midlevel)
+        np.testing.assert_allclose(shown, heights, rtol=0, atol=2e-5 * strength)
 
     def test_maps_tile_and_have_2048_pixels_unless_asked_for_otherwise(self):
         def described(*options):
-            self.succeed("maps", "-o", "set", *options)
+            self.succeed("maps", "-o", "set", *PLAIN, *options)
             facts = json.loads((self.folder / "set/material.json").read_text())
             return *facts["pixels"], facts["tileable"], Exr(self.folder / "set/maps.exr").parameters["scale"]
 
@@ -207,12 +261,32 @@ class Maps(RenderTest):
         report = subprocess.run(["node", "--input-type=module", "--eval", VALIDATE, folder, gltf], capture_output=True, text=True)
         self.assertEqual(json.loads(report.stdout), [], report.stderr)
 
+    def test_blender_displaces_by_the_heights(self):
+        python = ROOT / "build/blender/bin/python"
+        if not python.exists():
+            self.skipTest("not installed: bpy; tools/test-engines blender installs it")
+        folder, maps = self.maps("--width-metres=0.3")
+        heights = self.folder / "heights.npy"
+        subprocess.run([python, ROOT / "tests/engines/blender/displaced.py", folder, heights], check=True, capture_output=True)
+        error = np.abs(np.load(heights) - maps["height"])
+        print(f"Blender's heights differ by at most {error.max() / np.ptp(maps['height']):.2g} of their range, at {np.unravel_index(error.argmax(), error.shape)}")
+        self.assertLess(error.max(), 2e-5 * np.ptp(maps["height"]))
+
+    def test_materialx_converts_heights_to_the_unit_of_a_scene(self):
+        python = ROOT / "build/venv/bin/python"
+        if not (ROOT / "build/venv/bin/mxvalidate").exists():
+            self.skipTest("not installed: MaterialX; tools/test-engines materialx-glsl installs it")
+        folder, _ = self.maps()
+        for unit, factor in (("meter", 1), ("centimeter", 100)):
+            factors = subprocess.run([python, "-c", CONVERTED, folder / "material.mtlx", unit], check=True, capture_output=True, text=True).stdout
+            self.assertEqual([float(each) for each in factors.split()], [factor, factor])
+
     def test_levels_reflect_a_light_as_their_pixels_do(self):
         """Compares the GGX highlight on each pixel of a mip level with the mean highlight on the fine pixels that it covers."""
-        self.succeed("maps", "--material=leather", "--size=8x32", "-o", "oblong", "--texture")
+        self.succeed("maps", "--material=leather", "--size=8x32", "-o", "oblong", "--texture", *PLAIN)
         self.assertEqual([level["R"].shape for level in Texture(self.folder / "oblong" / "maps.exr").levels], [(32 >> k, max(8 >> k, 1)) for k in range(6)])
         side, block = 256, 16
-        self.succeed("maps", "--material=leather", f"--size={side}x{side}", "-o", "set", "--texture")
+        self.succeed("maps", "--material=leather", f"--size={side}x{side}", "-o", "set", "--texture", *PLAIN)
         levels = Texture(self.folder / "set" / "maps.exr").levels
         fine, coarse = levels[0], levels[block.bit_length() - 1]
 
@@ -249,8 +323,6 @@ class Maps(RenderTest):
             self.assert_refused(words, "maps", "-o", "set", *options)
             self.assertEqual(self.files(), {})
         self.assert_refused(["power of two"], "maps", "--material=wood", "--size=96x96", "-o", "set", "--texture")
-        self.assert_refused(["--half requires --texture"], "maps", "--material=wood", "-o", "set", "--half")
-        self.assertEqual(self.files(), {})
         self.assert_refused(["--width-metres '-1': expected a width above 0"], "maps", "--material=wood", "-o", "set", "--width-metres=-1")
         self.assert_refused(["--maps", "gabor maps --help"], "render", "--material=wood", "--maps", "set")
         self.assert_refused(["--normal-bits '12': expected 8 or 16"], "maps", "--material=wood", "-o", "set", "--normal-bits=12")

@@ -272,9 +272,9 @@ class Compression(RenderTest):
         write_exr(self.folder / "map.exr", {"Y": np.pad(np.random.default_rng(1).random((40, 40), "f4"), ((0, 80), (0, 80)))})
         every = [*enumerate(("none", "rle", "zips", "zip", "piz"))]
         for command, methods in ((["erode", "map.exr", "--extent=10", "--nodata=0"], every), (["render", "--view=horizon", "--size=96x64"], every[3:]),
-                                 (["maps", "--material=scratches", "--size=64x64", "-o", "maps"], every[3:4])):
+                                 (["maps", "--material=scratches", "--size=64x64", "--float", "-o", "maps"], every[3:4])):
             output = [] if "maps" in command else ["-o", "plain.exr"]
-            self.succeed(*command, *output)
+            self.succeed(*command, *output, "--compression=none")
             path = self.folder / (output[1] if output else "maps/maps.exr")
             plain, size = Exr(path).channels, path.stat().st_size
             for number, name in methods:
@@ -293,6 +293,7 @@ class Compression(RenderTest):
         self.assert_refused(["unknown '--compression=zip'"], "texture", "-o", "out.exr", "--size=64x64", "--compression=zip")
         for command in (["render"], ["erode", "map.exr"]):
             self.assert_refused(["--compression requires an EXR"], *command, "-o", "out.png", "--compression=zip")
+        self.assert_refused(["--compression 'piz'", "none or zip for a TIFF"], "erode", "map.exr", "-o", "out.tif", "--compression=piz")
 
 
 class Messages(RenderTest):

@@ -89,9 +89,26 @@ class Terrain(ProgramTest):
         self.assertGreater((sky["lit.B"] - sky["lit.R"])[:10][empty].min(), 0) # blue
         self.assertGreater(sky["R"][-1].min(), 0)
 
+    def test_lakes_are_blue_and_keep_the_height_of_their_bed(self):
+        dry, wet = self.drawn("--scale=10"), self.drawn("--scale=10", "--water-level=-0.1")
+        np.testing.assert_array_equal(wet["height"], dry["height"])
+        deep, high = wet["height"] < -0.25, wet["height"] > 0.05
+        self.assertGreater(min(deep.mean(), high.mean()), 0.05)
+        for of in "lit.", "":
+            np.testing.assert_array_equal(wet[f"{of}G"][high], dry[f"{of}G"][high])
+            self.assertGreater((wet[f"{of}B"] - wet[f"{of}R"])[deep].min(), 0)
+            self.assertLess((dry[f"{of}B"] - dry[f"{of}R"])[deep].mean(), 0)
+
+    def test_hills_before_a_camera_raise_it_above_them(self):
+        for seed in range(6): # the camera looks along the ground, and its horizon is 0.65 of the picture's height below its top
+            self.succeed("render", "--view=landscape", "--size=96x64", "--scale=12", f"--seed={seed}", "--pitch=0", "-o", "far.exr")
+            ground = Exr(self.folder / "far.exr").channels["R"] > 0
+            self.assertLess(ground[20].mean(), 0.4, f"seed {seed}") # a third of the height down
+            self.assertGreater(ground[-1].mean(), 0.99, f"seed {seed}")
+
     def test_wrong_requests(self):
         for options, words in (([], ["--output is missing", "-o"]), (["-o", "a.tif"], ["a.tif", ".exr"]),
-                               (["--write-heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
+                               (["--write-heightmap", "a.tga"], ["a.tga", ".png, .r16, .raw, .r32, .exr, .tif or .tiff"]),
                                (["--png", "a.png", "--write-heightmap", "a.png"], ["--png and --write-heightmap both name 'a.png'"]),
                                (["-o", "a.png", "--write-heightmap", "./a.png"], ["-o and --write-heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),

@@ -11,12 +11,12 @@ TYPES = {"s": 2, "H": 3, "I": 4, "d": 12}
 
 
 def write_tiff(path, values, tile=None, deflate=False, big=False, **tags):
-    """Writes an array of height x width, in its own type and byte order. tile: the size of tiles as (height, width), in place of
+    """Writes an array of height x width, or x 3 colours, in its own type and byte order. tile: the size of tiles as (height, width), in place of
     strips. big: writes a BigTIFF. tags: t33550=("d", 1, 2, 3) adds a tag with these numbers, and t42113=("s", b"-1") one with text."""
-    (height, width), order = values.shape, "<>"[values.dtype.str[0] == ">"]
+    (height, width, *channels), order = values.shape, "<>"[values.dtype.str[0] == ">"]
     rows, columns = tile or (40, width)
     if tile:
-        values = np.pad(values, ((0, -height % rows), (0, -width % columns)))
+        values = np.pad(values, [(0, -height % rows), (0, -width % columns)] + [(0, 0)] * len(channels))
     blocks = [values[y:y + rows, x:x + columns].tobytes() for y in range(0, height, rows) for x in range(0, width, columns)]
     blocks = [zlib.compress(block) for block in blocks] if deflate else blocks
     sizes = [len(block) for block in blocks]
@@ -24,8 +24,8 @@ def write_tiff(path, values, tile=None, deflate=False, big=False, **tags):
     places = [begin + sum(sizes[:i]) for i in range(len(sizes))]
     layout = {322: ("I", columns), 323: ("I", rows), 324: ("I", *places), 325: ("I", *sizes)} if tile else {
         278: ("I", rows), 273: ("I", *places), 279: ("I", *sizes)}
-    fields = {256: ("I", width), 257: ("I", height), 258: ("H", 8 * values.itemsize), 259: ("H", 8 if deflate else 1),
-              262: ("H", 1), 277: ("H", 1), 339: ("H", FORMATS[values.dtype.kind]), **layout,
+    fields = {256: ("I", width), 257: ("I", height), 258: ("H", *[8 * values.itemsize] * (channels or [1])[0]), 259: ("H", 8 if deflate else 1),
+              262: ("H", 2 if channels else 1), 277: ("H", *(channels or [1])), 339: ("H", *[FORMATS[values.dtype.kind]] * (channels or [1])[0]), **layout,
               **{int(name[1:]): tag for name, tag in tags.items()}}
     data = b"".join(blocks)
     entries = b""

@@ -1,5 +1,5 @@
 """Checks textures with OpenImageIO, which most renderers use: every level has the variance that `removed` leaves, unlike
-the levels of maketx.
+the levels of maketx. Checks that it finds the heights of eroded maps.
 
 tools/test-long farm runs this file with a Python that has OpenImageIO; GABOR_PROGRAM is the program.
 """
@@ -72,6 +72,18 @@ class OpenImageIO(ProgramTest):
             self.assertTrue(smallest < highest < largest, f"{pixels} pixels: {highest}")
             for _, share in seen:
                 self.assertAlmostEqual(share, removed, delta=0.001)
+
+
+class Heights(ProgramTest):
+    def test_the_first_channel_is_the_height(self):
+        for name in "all.exr", "one.exr", "map.tif":
+            self.succeed("render", "--view=terrain", "--size=64x48", "--seed=3", "--write-heightmap=heights.exr")
+            self.succeed("erode", "heights.exr", "-o", name, "--masks=masks", *(["--only-height"] if name == "one.exr" else []))
+            pixels = oiio.ImageBuf(str(self.folder / name)).get_pixels(oiio.FLOAT)
+            masks = oiio.ImageBuf(str(self.folder / "masks" / "masks.exr"))
+            self.assertEqual(masks.spec().channelnames[0], "Y")
+            self.assertGreater(pixels[..., 0].std(), 0.1)
+            self.assertTrue((pixels[..., 0] == masks.get_pixels(oiio.FLOAT)[..., 0]).all(), name)
 
 
 if __name__ == "__main__":

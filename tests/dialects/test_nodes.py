@@ -1,4 +1,4 @@
-"""Checks that Unity graphs refer only to existing objects, and that hand-written ports to other languages give the same
+"""Checks that Unity's graphs refer only to existing objects, and that hand-written ports to other languages give the same
 noise as the GLSL. This test runs the ports on the CPU; tools/test-engines runs them in renderers and browsers."""
 
 import functools
@@ -23,7 +23,6 @@ import reference  # noqa: E402
 from scene import SHADERS, in_cpp, on_vulkan, packaged  # noqa: E402
 
 NODES = SHADERS / "nodes"
-UNITY = NODES / "unity"
 
 
 @functools.cache
@@ -48,15 +47,19 @@ def guid(path):
     return re.search(r"^guid: ([0-9a-f]{32})$", (path.parent / f"{path.name}.meta").read_text(), re.MULTILINE)[1]
 
 
-class UnityNoise(unittest.TestCase):
-    graph_file = "Gabor Noise.shadersubgraph"
-
+class UnityGraphs(unittest.TestCase):
     def setUp(self):
-        text = (unity() / self.graph_file).read_text()
-        objects = [json.loads(part) for part in text.split("\n\n")]
-        self.objects = {each["m_ObjectId"]: each for each in objects}
-        self.assertEqual(len(self.objects), len(objects))
-        self.graph = objects[0]
+        self.paths = sorted(unity().glob("*.shadersubgraph"))
+        self.assertEqual(len(self.paths), 17)
+
+    def graphs(self):
+        """Reads each graph in a test of its own."""
+        for path in self.paths:
+            with self.subTest(path.name):
+                objects = [json.loads(part) for part in path.read_text().split("\n\n")]
+                self.objects = {each["m_ObjectId"]: each for each in objects}
+                self.assertEqual(len(self.objects), len(objects))
+                yield objects[0]
 
     def one(self, kind):
         found = [each for each in self.objects.values() if each["m_Type"].endswith("." + kind)]
@@ -66,7 +69,7 @@ class UnityNoise(unittest.TestCase):
     def slots(self, node):
         return {slot["m_Id"]: slot for slot in (self.objects[each["m_Id"]] for each in node["m_Slots"])}
 
-    def test_graph_refers_to_existing_things(self):
+    def test_graphs_refer_to_existing_things(self):
         def references(value):
             if isinstance(value, dict):
                 if set(value) == {"m_Id"} and value["m_Id"]:
@@ -76,44 +79,35 @@ class UnityNoise(unittest.TestCase):
             elif isinstance(value, list):
                 for each in value:
                     yield from references(each)
-        referred = {name for each in self.objects.values() for name in references(each)}
-        self.assertEqual(referred | {self.graph["m_ObjectId"]}, set(self.objects))
+        for graph in self.graphs():
+            referred = {name for each in self.objects.values() for name in references(each)}
+            self.assertEqual(referred | {graph["m_ObjectId"]}, set(self.objects))
 
     def test_edges_join_slots_of_one_kind(self):
-        ends = []
-        for edge in self.graph["m_Edges"]:
-            out, into = (self.slots(self.objects[end["m_Node"]["m_Id"]])[end["m_SlotId"]]
-                         for end in (edge["m_OutputSlot"], edge["m_InputSlot"]))
-            self.assertEqual((out["m_SlotType"], into["m_SlotType"]), (1, 0))
-            self.assertEqual(out["m_Type"], into["m_Type"])
-            self.assertEqual(out["m_DisplayName"], into["m_DisplayName"])
-            ends.append(into["m_ObjectId"])
-        node, output = self.one("CustomFunctionNode"), self.one("SubGraphOutputNode")
-        inputs = [slot["m_ObjectId"] for each in (node, output) for slot in self.slots(each).values() if not slot["m_SlotType"]]
-        self.assertEqual(sorted(ends), sorted(inputs))
+        for graph in self.graphs():
+            ends = []
+            for edge in graph["m_Edges"]:
+                out, into = (self.slots(self.objects[end["m_Node"]["m_Id"]])[end["m_SlotId"]]
+                             for end in (edge["m_OutputSlot"], edge["m_InputSlot"]))
+                self.assertEqual((out["m_SlotType"], into["m_SlotType"]), (1, 0))
+                self.assertEqual(out["m_Type"], into["m_Type"])
+                self.assertEqual(out["m_DisplayName"], into["m_DisplayName"])
+                ends.append(into["m_ObjectId"])
+            node, output = self.one("CustomFunctionNode"), self.one("SubGraphOutputNode")
+            inputs = [slot["m_ObjectId"] for each in (node, output) for slot in self.slots(each).values() if not slot["m_SlotType"]]
+            self.assertEqual(sorted(ends), sorted(inputs))
 
-    def test_function_matches_the_file(self):
-        node = self.one("CustomFunctionNode")
-        self.assertEqual(node["m_FunctionSource"], guid(UNITY / "GaborNoise.hlsl"))
-        source = (UNITY / "GaborNoise.hlsl").read_text()
-        for kind in ("float", "half"):
-            arguments = re.search(rf"void {node['m_FunctionName']}_{kind}\((.*)\)", source)[1]
-            slots = [(" out" * slot["m_SlotType"] + {"Vector1": f" {kind}", "Vector2": f" {kind}2", "Vector3": f" {kind}3"}[
-                re.search(r"(Vector\d)MaterialSlot", slot["m_Type"])[1]] + f" {slot['m_ShaderOutputName']}").strip()
-                for slot in self.slots(node).values()]
-            self.assertEqual(arguments.split(", "), slots)
-
-
-class UnityStripes(UnityNoise):
-    graph_file = "Gabor Stripes.shadersubgraph"
-
-
-class UnityFractal(UnityNoise):
-    graph_file = "Gabor Fractal.shadersubgraph"
-
-
-class UnityFractalFiltered(UnityNoise):
-    graph_file = "Gabor Fractal Filtered.shadersubgraph"
+    def test_functions_match_their_files(self):
+        files = {guid(path): path for path in unity().glob("Gabor*.hlsl")}
+        self.assertEqual(len(files), 4)
+        for _ in self.graphs():
+            node = self.one("CustomFunctionNode")
+            source = files[node["m_FunctionSource"]].read_text()
+            for kind in ("float", "half"):
+                arguments = re.search(rf"void {node['m_FunctionName']}_{kind}\((.*)\)", source)[1]
+                slots = [(" out" * slot["m_SlotType"] + f" {kind}{re.search(r'Vector(.)MaterialSlot', slot['m_Type'])[1]}".removesuffix("1")
+                          + f" {slot['m_ShaderOutputName']}").strip() for slot in self.slots(node).values()]
+                self.assertEqual(arguments.split(", "), slots)
 
 
 # Writes the values of functions.mjs, one for each function of gabor_noise.tsl.js, at the scene's points.
@@ -217,11 +211,11 @@ OCEAN = """
     float height[3], fold[3];
     const gabor_vec2 place = p * 61.0f - gabor_vec2(3000.0f, -900.0f);
     const vector half(0.5f * place.x, 0.5f * place.y, 0);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 7, moved[0], height[0], fold[0]);
-    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 70, 7, moved[1], height[1], fold[1]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 0, 0, 7, moved[0], height[0], fold[0]);
+    osl::gabor_ocean(half, 2, -71.3f, 13, 0.6f, 90000, 2.5f, 11, 2.1f, 15, 70, 7, moved[1], height[1], fold[1]);
     osl::gabor_ocean(vector(place.x, place.y, 0), DEFAULTS, moved[2], height[2], fold[2]);
-    static const GaborOcean seas[] = {gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 0),
-                                      gabor_ocean_of(13.0f, 0.6f, 9.0e4f, gabor_vec3(2.5f, 11.0f, 2.1f), 64), gabor_ocean(10.0f)};
+    static const GaborOcean seas[] = {gabor_ocean_of(GaborSea{13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 0.0f, 0.6f, 0}),
+                                      gabor_ocean_of(GaborSea{13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 15.0f, 0.6f, 64}), gabor_ocean(10.0f)};
     const GaborWater water[] = {gabor_water(place, -71.3f, seas[0], 7u), gabor_water(place, -71.3f, seas[1], 7u),
                                 gabor_water(place, 0.0f, seas[2], 0u)};
     const float units[] = {0.5f, 0.5f, 1.0f};
@@ -314,10 +308,10 @@ USED = """
     GaborStripes_half(p, turned, 2.0f, -6.0f, f, slope_half, stripes_half);
     float fractals[4];
     gabor_vec2 slopes[4];
-    GaborFractal_float(p, 4.3f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[0], slopes[0]);
-    GaborFractal_half(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[1], slopes[1]);
-    GaborFractalFiltered_float(p, 4.3f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[2], slopes[2]);
-    GaborFractalFiltered_half(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[3], slopes[3]);
+    GaborFractal_float(p, 4.3f, 2.0f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[0], slopes[0]);
+    GaborFractal_half(p, 3.0f, 2.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[1], slopes[1]);
+    GaborFractalFiltered_float(p, 4.3f, 2.0f, 0.6f, 2.0f, 1.0f, -3.0f, fractals[2], slopes[2]);
+    GaborFractalFiltered_half(p, 3.0f, 2.0f, 0.5f, 1.0f, 0.0f, 4.0f, fractals[3], slopes[3]);
     const GaborFractal kinds[] = {{4.3f, 0.6f, 2.0f, 0.64350111f, GABOR_PERLIN, GABOR_RIDGED}, {3.0f, 0.5f, 2.0f, 0.64350111f, GABOR_SMOOTH, GABOR_BILLOW}};
     const int numbers[] = {-3, 4};
     GaborFractalNoise wanted[4];
@@ -349,7 +343,7 @@ OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noi
            **{f"slopes[{i}].{axis}": f"wanted[{i}].gradient.{axis}" for i in range(4) for axis in "xy"},
            **{f"godots[{i}]": f"wanted[{2 * i}].noise" for i in range(2)},
            **{f"rises[{i}].{axis}": f"wanted[{2 * i}].gradient.{axis}" for i in range(2) for axis in "xy"},
-           "unreal_fractal(p, 3.0f, 0.5f, 1.0f, 0.0f, 4.0f)": "wanted[1].noise",
+           "unreal_fractal(p, 3.0f, 2.0f, 0.5f, 1.0f, 0.0f, 4.0f)": "wanted[1].noise",
            "float(FRACTAL_MAKER)": "gabor_unorm(gabor_fractal_noise(gabor_place_tiled(p, gabor_vec2(8.0f)), tiles, floatBitsToUint(0.3f)).noise)",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
 
@@ -748,8 +742,8 @@ class ByHand(unittest.TestCase):
             for pattern, by in (*pairs, (r"(?<![\w.])(\d+\.\d+)(?![\df])", r"\1f")):
                 text = re.sub(pattern, by, text)
             return text
-        unity = replaced((UNITY / "GaborNoise.hlsl").read_text(), (r'#include "gabor_\w+.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
-        unreal, fractal = ((NODES / "unreal" / name).read_text() for name in ("custom.hlsl", "fractal.hlsl"))
+        of_unity = replaced((unity() / "GaborNoise.hlsl").read_text(), (r'#include "gabor_\w+.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
+        unreal, fractal = ((pathlib.Path(package("unreal").name) / f"Gabor {name}.hlsl").read_text() for name in ("Noise", "Fractal"))
         shadertoy = replaced((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], (r"\bout (\w+)", r"\1&"))
         godot = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
         names = [json.loads(re.search(pattern, godot)[1]) for pattern in (r"const NAMES := (\[.*\])", r"return (\[.*\])\[port\]")]
@@ -764,8 +758,8 @@ class ByHand(unittest.TestCase):
             output, = json.loads((NODES / "material_maker" / f"gabor_{name}.mmg").read_text())["shader_model"]["outputs"]
             code = replaced(output["f"], *((rf"\${name}\b", value) for name, value in given.items()))
             makers.append(re.sub(r"GaborFractal\((.*?)\)", r"GaborFractal{\1}", code))
-        before = f"{ENGINES}{unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ {unreal} }}\n"
-        before += f"float unreal_fractal(float2 Place, float Octaves, float Gain, float Shape, float Basis, float Seed) {{ {replaced(fractal)} }}\n{shadertoy}"
+        before = f"{ENGINES}{of_unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ float Quadrature;\n{unreal} }}\n"
+        before += f"float unreal_fractal(float2 Place, float Octaves, float Lacunarity, float Gain, float Shape, float Basis, float Seed) {{ float2 Gradient;\n{replaced(fractal)} }}\n{shadertoy}"
         values = [*OUTPUTS, *OUTPUTS.values()]
         made, expected = np.split(in_cpp(self.folder, before, [value.replace("FRACTAL_MAKER", makers[1]).replace("MAKER", makers[0]) for value in values], "-std=c++17", "-O1",
                                          "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code=USED.replace("GODOT", godot).replace("FIRST", fractals[0]).replace("SECOND", fractals[1])), 2)

@@ -65,7 +65,7 @@ CALLS = {  # each call, and its column in the table of drop-ins in docs/engine-r
     "3.0 * gabor_water(4.0 * p, 100.3, gabor_ocean(8.0), 7u).height": "sea",
     "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).jacobian": "sea",
     "600.0 * gabor_water_filtered(4.0 * p, 0.1 * p, vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).lost.x": "sea",
-    "3.0 * gabor_water(16.0 * p, 10.3, gabor_ocean_of(13.0, 0.6, 90000.0, vec3(2.5, 11.0, 2.1), 64), 7u).shift.y": "sea",
+    "3.0 * gabor_water(16.0 * p, 10.3, gabor_ocean_of(GaborSea(13.0, 90000.0, 2.5, 11.0, 2.1, 0.0, 0.6, 64)), 7u).shift.y": "sea",
     "10.0 * gabor_water_at(ivec2(1000000000, -1000000000), 4.0 * p, 1000000000, 0.3, vec2(0.0, 0.0), vec2(0.0, 0.0), gabor_ocean(8.0), 7u).slope.x": "sea",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
@@ -259,7 +259,7 @@ class Translations(unittest.TestCase):
                 difference = np.abs(drawn - wanted[:len(drawn)])
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 error = float(difference.max() / wanted.std())
-                self.assertLess(error, 1e-3 if re.search(rf"colour|sand|{inexact}|sea\(", call) else 2e-5 if CALLS[call] in ("sea", "fractal") else 1e-5)
+                self.assertLess(error, 1e-3 if re.search(rf"colour|sand|{inexact}|sea\(", call) else 3e-5 if CALLS[call] in ("sea", "fractal") else 1e-5)
                 errors[CALLS[call]] = max(errors.get(CALLS[call], 0), error)
         if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engine-results.md
             name = self._testMethodName.removeprefix("test_")

@@ -19,6 +19,7 @@ from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
+from tiff import write_tiff
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 DROP_INS = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_noise", "gabor_filter"))
@@ -170,6 +171,14 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertIn("colour", self.fit("rgba.png", "--lobes", "2"))
         self.assertNotIn("transparent", self.said)
         sixteen = self.fit("deep.png", "--lobes", "2")["colour"]
+        for kind, tile in (("u1", (64, 32)), ("<u2", None), (">u2", (16, 128))):
+            most = np.iinfo(kind).max
+            write_tiff(self.folder / "rgb.tif", np.rint(most * np.clip(exemplar, 0, 1)).astype(kind), tile, deflate=tile is None)
+            colour = self.fit("rgb.tif", "--lobes", "2")["colour"]
+            if kind == "u1":
+                np.testing.assert_allclose(colour["mixing"], sixteen["mixing"], atol=2e-3)
+            else:
+                self.assertEqual(colour, sixteen)
         write_png(self.folder / "deep.png", exemplar, bits=16, interlaced=True)
         self.assertEqual(self.fit("deep.png", "--lobes", "2")["colour"], sixteen)
         grey = self.fit("grey.png", "--lobes", "2")
@@ -336,6 +345,24 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_png(self.folder / "noise.png", colour_noise(256))
         self.assertNotIn("NaN", json.dumps(self.fit("noise.png", "--lobes", "1")))
 
+    def test_a_tiff_is_read_as_a_png_is(self):
+        values = np.round(255 * colour_noise(160)).astype("u1")
+        wanted = self.same_fit("noise.png", PIL.Image.fromarray(values))
+        for name, options in ("strips.tif", {}), ("lzw.tif", {"compression": "tiff_lzw", "tiffinfo": {317: 2}}):
+            self.assertEqual(self.same_fit(name, PIL.Image.fromarray(values), **options), wanted)
+        clear = np.full(values.shape[:2], 255, "u1")
+        clear[20:50, 30:90] = 0
+        covered = PIL.Image.fromarray(np.dstack([values, clear]))
+        self.assertEqual(self.same_fit("alpha.tif", covered), self.same_fit("alpha.png", covered))
+        self.assertIn("transparent", self.said)
+        self.assertEqual(self.same_fit("grey.tif", PIL.Image.fromarray(values[..., 1])), self.same_fit("grey.png", PIL.Image.fromarray(values[..., 1])))
+        PIL.Image.fromarray(values).quantize(200).save(self.folder / "palette.tif")
+        self.assert_refused(["'palette.tif'", "neither grey, from black to white, nor RGB"], "fit", "palette.tif", "-o", "fit.json")
+
+    def same_fit(self, name, picture, **options):
+        picture.save(self.folder / name, **options)
+        return self.fit(name, "--lobes", "2")
+
     def test_wrong_pictures_are_refused(self):
         write_png(self.folder / "narrow.png", colour_noise(160)[:, :96])
         write_png(self.folder / "constant.png", np.full((256, 256), 0.5))
@@ -350,7 +377,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
         for words, image in ((["narrow.png", "96 x 160", "128 x 128"], "narrow.png"), (["constant.png", "no texture"], "constant.png"),
                              (["trend.png", "no texture"], "trend.png"), (["cut.png"], "cut.png"),
-                             (["video.mp4", "PNG, JPEG, TGA, TIFF or OpenEXR"], "video.mp4"),
+                             (["video.mp4", "PNG, JPEG, TGA, TIFF, OpenEXR, .npy or .asc"], "video.mp4"),
                              (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):
             self.assert_refused(words, "fit", image, "-o", "fit.json")
         for words, options in ((["--lobes", "1 to 16"], ["--lobes", "17"]), (["--lobes", "1 to 16"], ["--lobes", "x"]),

@@ -215,7 +215,7 @@ float kept(GaborField3d f) {
 
 #if defined GOLDEN_OCEAN
 float kept(GaborWater w) {
-    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.jacobian + 5.0f * kept(w.lost);
+    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.jacobian + 5.0f * kept(w.lost) + 0.2f * kept(w.velocity);
 }
 #endif
 
@@ -476,7 +476,7 @@ void see_all(int i) {
     SEE(kept(gabor_eroded_at(ground, 0.1f * s.dx, 0.1f * s.dy, base, any, s.seed)))
 #endif
 #if defined GOLDEN_OCEAN
-    GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f, vec3(i % 4 == 1 ? 2.5f : 0.0f, 11.0f, -0.7f), i % 4 == 3 ? 64 : 0);
+    GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(GaborSea(6.0f, 3.0e4f, i % 4 == 1 ? 2.5f : 0.0f, 11.0f, -0.7f, 0.0f, 2.2f, i % 4 == 3 ? 64 : 0));
     int second = i % 4 == 0 ? 10000000 + i : i; // four months
     vec2 none = vec2(0.0f, 0.0f), dx = vec2(drawn(i, 45, -3.0f, 3.0f), drawn(i, 46, -3.0f, 3.0f));
     vec2 at = vec2(drawn(i, 47, -900.0f, 900.0f), drawn(i, 48, -900.0f, 900.0f));
@@ -486,9 +486,12 @@ void see_all(int i) {
     SEE(kept(gabor_water(at, 60.0f * fraction, sea, s.seed)))
     SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
     SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
+    SEE(gabor_foam(at, none, none, gabor_water(at, 60.0f * fraction, sea, s.seed), sea, s.seed))
+    SEE(gabor_foam(at, dx, vec2(dx.y, dx.x), gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed), sea, s.seed))
     SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude + sea.band[GABOR_OCEAN_BANDS].amplitude)
     // Beyond all ranges.
-    GaborOcean end = i % 2 == 0 ? gabor_ocean_of(1.0f, 1.3f, 500.0f, vec3(1.0f, 2.0f, 0.5f), 0) : gabor_ocean_of(40.0f, -2.5f, 3.0e6f, vec3(2.0f, 40.0f, 0.4f), 0);
+    GaborOcean end = i % 2 == 0 ? gabor_ocean_of(GaborSea(1.0f, 500.0f, 1.0f, 2.0f, 0.5f, 0.0f, 1.3f, 0))
+                                    : gabor_ocean_of(GaborSea(40.0f, 3.0e6f, 2.0f, 40.0f, 0.4f, 20.0f, -2.5f, 0));
     SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, none, none, end, s.seed)))
     SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, dx, vec2(dx.y, dx.x), end, s.seed)))
 #endif

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <tuple>
 
 using gabor::image::PictureReader;
 using namespace std::string_literals;
@@ -174,8 +175,8 @@ TEST_CASE("A flipped bit does no harm, and is refused where a file has checksums
     }
 }
 
-// Sizes, bits and pixels as another program, Pillow, reads them; JPEGs may be off by rounding. The first PNG
-// and the first JPEG are turned.
+// Sizes, bits and pixels as another program, Pillow, reads them; JPEGs may be off by rounding. The first PNG,
+// the first JPEG and the last TIFF are turned.
 TEST_CASE("Each kind of file has its format and its pixels", "[picture]") {
     struct Known {
         const char* name;
@@ -196,7 +197,10 @@ TEST_CASE("Each kind of file has its format and its pixels", "[picture]") {
                                {"palette.tga", 20, 9, 8, false, 0, 8, {190, 185, 180}},
                                {"progressive.jpg", 40, 33, 8, false, 0, 32, {102, 118, 180}},
                                {"runs.tga", 20, 9, 8, false, 0, 8, {205}},
-                               {"strips.tif", 20, 9, 16, false, 2, 1, {49861}}}) {
+                               {"strips.tif", 20, 9, 16, false, 2, 1, {49861}},
+                               {"alpha.tif", 20, 9, 8, true, 2, 1, {194, 178, 61, 22}},
+                               {"jpeg.tif", 20, 9, 8, false, 2, 1, {195, 179, 60}},
+                               {"colour.tif", 9, 20, 8, false, 7, 2, {194, 178, 61}}}) {
         INFO(known.name);
         const auto file = gabor::image::open_picture(example(known.name));
         const auto& format = file->format();
@@ -212,8 +216,19 @@ TEST_CASE("Each kind of file has its format and its pixels", "[picture]") {
         const float white = known.bits == 16 ? 65535 : 255;
         for (std::size_t i = 0; i < found.size(); ++i)
             CHECK(white * found[i] ==
-                  Approx(known.pixel[i]).margin(0.1 + 2 * (std::strstr(known.name, "jpg") != nullptr)));
+                  Approx(known.pixel[i]).margin(0.1 + 2 * (std::strstr(known.name, "jp") != nullptr)));
     }
+}
+
+TEST_CASE("Heights of a GeoTIFF and of an array are those in the file", "[picture]") {
+    const auto geo = gabor::image::open_picture(example("geo.tif"));
+    CHECK(std::tuple(geo->format().scale, geo->format().offset, *geo->format().missing) ==
+          std::tuple(0.5, 0.0, -32768.0f));
+    const auto size = gabor::image::pixel_size(geo->format().geo, 20, 9);
+    CHECK(size.sides == std::array{10.0, 20.0});
+    CHECK(size.unit == "m");
+    CHECK(read(example("geo.tif")) == read(example("heights.npy")));
+    CHECK(read(example("geo.tif"))->at(2, 1) == std::vector{-39.0f});
 }
 
 TEST_CASE("A TGA may begin at any corner, with one to four values per pixel", "[picture]") {

@@ -28,7 +28,7 @@ from scene import ROOT, SHADERS, in_cpp, printed  # noqa: E402
 from version import VERSION  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-MATERIALS = "wood", "fabric", "leather", "marble", "sand", "brushed_metal", "scratches", "zebra", "bark", "carbon_fibre", "strata"
+MATERIALS = re.findall(r" gabor_(\w+)_default\(\) {", (ROOT / "shaders/gabor_materials.glsl").read_text())
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
 MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
@@ -218,7 +218,7 @@ print(gabor_noise.__version__)
         "terrain(x, y, [0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3], seed=8, pixel_size=(0.1, 0.3), period=(8, 16), **rough)":
             "island.height island.slope.x island.slope.y island.ridge",
         "water(x, y, seconds=100.25, pixel_size=(0.1, 0.3), **sea)": "water.height water.slope.x water.slope.y water.shift.x water.shift.y "
-                                                               "water.jacobian water.lost.x water.lost.y water.lost.z",
+                                                               "water.jacobian water.lost.x water.lost.y water.lost.z water.velocity.x water.velocity.y water.velocity.z",
         "water_height(x, y, seconds=100.25, **sea)": "gabor_water_height(p,100.25f,sea,seed)",
         **{f"material('{name.replace('_', '-')}', x, y, pixel_size=(0.1, 0.3), period=(6, 4), seed=-9)":
            " ".join(f"{name}.{part}" for part in ("colour.x", "colour.y", "colour.z", "height", "slope.x", "slope.y", "roughness", "metalness",
@@ -228,7 +228,7 @@ wave, place, space = dict(frequency=-2.5, orientation=0.6), dict(seed=-9, period
 octaves = dict(octaves=3.4, gain=0.6, lacunarity=1.9, turn=0.4, basis="perlin")
 rough = dict(octaves=3, gully_frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset_slope=0.4, detail=1.2, uniformity=3, ridge_rounding=0.2,
              crease_rounding=0.3, gully_weight=0.7, branching=0.8)
-sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, loop_seconds=256, seed=-9)
+sea = dict(wind=8, direction=0.7, fetch=3e4, swell_height=1.5, swell_period=9, swell_direction=2.1, water_depth=14, loop_seconds=256, seed=-9)
 def channels(made):
     if isinstance(made, dict):
         return [each for name, part in made.items()
@@ -257,7 +257,7 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         lobes.lobe[0] = {2.0f, 0.3f, {1.0f, 1.5f}, 2.0f};
         lobes.lobe[1] = {3.0f, 1.1f, {0.5f, 0.5f}, 1.0f};
         lobes.count = 2;
-        static const GaborOcean sea = gabor_ocean_of(8.0f, 0.7f, 3.0e4f, {1.5f, 9.0f, 2.1f}, 256);
+        static const GaborOcean sea = gabor_ocean_of(GaborSea{8.0f, 3.0e4f, 1.5f, 9.0f, 2.1f, 14.0f, 0.7f, 256});
         const GaborWater water = gabor_water_filtered(p, dx, dy, 100.25f, sea, seed);
         const gabor_ivec2 cell(int(p.x), int(p.y));
         const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
@@ -327,11 +327,6 @@ class Module(Folder):
 
 class Pypi(Package, Python):
     """Uses the wheel, which real nanobind binds, in a new virtual environment. tools/test-engines python runs this test."""
-
-    def setUp(self):
-        # The default flags would take several times as long to compile.
-        os.environ |= {"CXXFLAGS": "-DGABOR_INLINE=inline", "CMAKE_ARGS": "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_UNITY_BUILD=ON"}
-        super().setUp()
 
     def test_wheel_has_the_shaders_values(self):
         run(sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", self.folder / "venv")
@@ -541,13 +536,18 @@ class Osl(Node):
         return (self.folder / original.removeprefix("nodes/")).read_bytes()
 
 
+HLSL = [path.stem for path in DROP_INS if path.suffix == ".hlsl"]
+TITLES = ("Noise", "Stripes", "Fractal", "Fractal Filtered", *(name.replace("_", " ").title() for name in MATERIALS), "Terrain", "Sea")  # of nodes
+
+
 class Unity(Node):
     place = "package"
-    included = {f"gabor_{name}.hlsl": [f"translations/gabor_{name}.hlsl"] for name in ("noise", "fractal")}
+    copied = {f"{name}.hlsl": f"translations/{name}.hlsl" for name in HLSL}
 
     def made(self, root):
-        """Returns the names of the sub graphs, which tests/dialects/test_nodes.py checks."""
-        return [f"Gabor {name}.shadersubgraph" for name in ("Noise", "Stripes", "Fractal", "Fractal Filtered")]
+        """Returns the names of the HLSL and the sub graphs, which tests/dialects/test_nodes.py checks, and of their ids."""
+        files = [*(f"Gabor{name}.hlsl" for name in ("Noise", "Materials", "Terrain", "Sea")), *(f"Gabor {name}.shadersubgraph" for name in TITLES)]
+        return [*files, *(f"{name}.meta" for name in [*files, *self.copied])]
 
     def test_each_file_has_an_id_of_its_own(self):
         """Checks the .meta files, since Unity ignores a package's files that have none."""
@@ -560,9 +560,30 @@ class Unity(Node):
                          {f"{name}.meta" for name in files if not name.endswith(".meta")})
         ids = [guid(path) for path in root.glob("*.meta")]
         self.assertEqual(len(ids), len(set(ids)))
-        for include in re.findall(r'#include "([^"]+)"', (root / "GaborNoise.hlsl").read_text()):
-            self.assertTrue((root / include).exists(), include)
+        self.assertLessEqual({("GaborNoise.hlsl", "f95faf149a677348e759cdb37a71f456"), ("Gabor Noise.shadersubgraph", "699a1602ebe4724af3c57261fd735070")},
+                             {(path.stem, guid(path)) for path in root.glob("*.meta")})  # by which projects refer to them
+        for path in root.glob("*.hlsl"):
+            for include in re.findall(r'#include "([^"]+)"', path.read_text()):
+                self.assertTrue((root / include).exists(), include)
+        importers = {"shadersubgraph": "60072b568d64c40a485e0fc55012dc9f"}  # Unity's own id of its importer
+        for path in root.glob("*.meta"):
+            found = re.search("fileID: 11500000, guid: (\\w+), type: 3", path.read_text())
+            self.assertEqual(found and found[1], importers.get(path.name.split(".")[-2]), path.name)
         self.assert_npm_accepts_it()
+
+
+class Unreal(Node):
+    def made(self, root):
+        """Checks that a file has the texts that it needs, and includes nothing: Unreal looks for all files that are named."""
+        for name in HLSL:
+            text = (root / f"{name}.ush").read_text()
+            self.assertNotIn("#include", text)
+            guards = re.findall(r"^#define (GABOR_\w+_HLSL) 1$", text, re.MULTILINE)
+            self.assertEqual((len(guards), guards[-1]), (len(set(guards)), f"{name.upper()}_HLSL"))
+            self.assertLessEqual({f"GABOR_{each}_HLSL" for each in re.findall(r"#ifn?def GABOR_(\w+)_HLSL", text)} - {"GABOR_SPARSE_HLSL"}, {*guards, "GABOR_NOISE_HLSL"})
+        for name in TITLES:
+            self.assertTrue((root / re.search("Include File Paths: /Project/(.*)", (root / f"Gabor {name}.hlsl").read_text())[1]).exists(), name)
+        return [*(f"{name}.ush" for name in HLSL), *(f"Gabor {name}.hlsl" for name in TITLES)]
 
 
 class Pasted(Node):
@@ -573,16 +594,16 @@ class Pasted(Node):
 
 
 PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
-    "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"],
+    "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": [
+                      "gabor_noise.glsl", "gabor_erosion.glsl", "gabor_fractal.glsl",
+                      *(f"passes/{name}.glsl" for name in ("ground", "ranges", "landscape", "srgb"))],
                   "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"], "gabor_fractal.frag": ["gabor_noise.glsl", "gabor_fractal.glsl"]},
     "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"],
               "gabor_fractal.slang": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
     "three": {},
-    "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"],
-               "gabor_fractal.ush": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
 }
-NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shims, Unity,
-         *(type(name.title(), (Pasted if name in ("slang", "unreal") else Node,), {"included": included}) for name, included in PLAIN.items())]
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shims, Unity, Unreal,
+         *(type(name.title(), (Pasted if name == "slang" else Node,), {"included": included}) for name, included in PLAIN.items())]
 
 
 AUTHORS, ADDRESS = "The gabor-noise authors", "@REPOSITORY@"
@@ -637,11 +658,6 @@ class Manifests(unittest.TestCase):
                 text = (ROOT / name).read_text()
                 found = plain(json.loads(text) if name.endswith(".json") else tomllib.loads(text))
                 self.assertEqual(found, wanted)
-        importers = {"shadersubgraph": "60072b568d64c40a485e0fc55012dc9f"}  # Unity's own id of its importer
-        for path in (SHADERS / "nodes" / "unity").glob("*.meta"):
-            ending = path.name.split(".")[-2]
-            self.assertEqual("type: 3" in path.read_text() and re.search("fileID: 11500000, guid: (\\w+), type: 3", path.read_text())[1],
-                             importers.get(ending, False), path.name)
 
 
 class Folders(unittest.TestCase):
@@ -739,7 +755,7 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote, *more):
         """Returns package.json of npm's package in a repository with this remote."""
         self.root = root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "index.py", "nodes.py", "package", "translate", "unity.py", "version.py", "wgsl.py")),
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", *(f"tools/{name}" for name in ("copies.py", "glsl.py", "hlsl_nodes.py", "index.py", "nodes.py", "package", "translate", "unity.py", "version.py", "wgsl.py")),
                           "shaders/translations/gabor_vectors.hpp", *more))
         (root / "shaders/nodes").mkdir(parents=True, exist_ok=True)
         if remote:
@@ -750,13 +766,12 @@ class Repository(unittest.TestCase):
     def test_readmes_link_to_what_the_package_lacks(self):
         """Also, a package is the same whenever it is built."""
         folder, base = "shaders/nodes/slang", "https://example.org/somebody/gabor"
-        self.npm_with(f"{base}.git", "shaders/nodes/LICENSE", "shaders/translations/gabor_noise.hlsl", f"{folder}/gabor_noise.slang", f"{folder}/README.md",
-                      "shaders/nodes/unity/package.json", "shaders/nodes/unity/README.md", "shaders/nodes/unity/GaborNoise.hlsl.meta")
+        self.npm_with(f"{base}.git", "shaders/nodes/LICENSE", "shaders/translations/gabor_noise.hlsl", f"{folder}/gabor_noise.slang", f"{folder}/README.md")
         text = "![seen](../../a.png) [page](../../../docs/b.md) [kept](gabor_noise.slang) [web](https://d) @VERSION@ @REPOSITORY@\n"
         (self.root / folder / "README.md").write_text(text)
         sums = []
         for _ in range(2):
-            archives = [self.root / run(sys.executable, "-B", self.root / "tools/package", name).strip() for name in ("slang", "unity")]
+            archives = [self.root / run(sys.executable, "-B", self.root / "tools/package", name).strip() for name in ("slang", "npm")]
             sums.append([(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in archives])
             made = (self.root / "build/packages/staged/slang/README.md").read_text()
             for path in (self.root / folder).iterdir():
@@ -787,7 +802,7 @@ class Release(Folder):
         super().setUp()
         repository(self.folder, filter(re.compile(
             "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|README.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-            "host/lab/passes/bench/|host/render/request/struct_rows|host/render/request/presets/)").match, tracked(ROOT)))
+            "host/lab/passes/bench/|host/render/request/(?:struct|material)_rows|host/render/request/presets/)").match, tracked(ROOT)))
 
     def release(self, *arguments):
         return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)

@@ -73,21 +73,12 @@ constexpr Material made(std::string_view name) {
             }};
 }
 
+#define GABOR_MATERIAL(function, Parameters, name)                                                           \
+    made<Parameters, gabor_##function##_default, gabor_##function##_at, gabor_##function##_filtered_at>(name),
 const Material materials[]{
-    made<GaborWood, gabor_wood_default, gabor_wood_at, gabor_wood_filtered_at>("wood"),
-    made<GaborFabric, gabor_fabric_default, gabor_fabric_at, gabor_fabric_filtered_at>("fabric"),
-    made<GaborLeather, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at>("leather"),
-    made<GaborMarble, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at>("marble"),
-    made<GaborSand, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at>("sand"),
-    made<GaborBrushedMetal, gabor_brushed_metal_default, gabor_brushed_metal_at,
-         gabor_brushed_metal_filtered_at>("brushed-metal"),
-    made<GaborScratches, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at>(
-        "scratches"),
-    made<GaborZebra, gabor_zebra_default, gabor_zebra_at, gabor_zebra_filtered_at>("zebra"),
-    made<GaborBark, gabor_bark_default, gabor_bark_at, gabor_bark_filtered_at>("bark"),
-    made<GaborCarbonFibre, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at>(
-        "carbon-fibre"),
-    made<GaborStrata, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at>("strata")};
+#include "render/request/material_rows.inc"
+};
+#undef GABOR_MATERIAL
 
 Request request_of(std::string_view material) {
     return {.kind = render::Kind::material, .material = std::string(material)};

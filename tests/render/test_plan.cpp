@@ -350,8 +350,10 @@ TEST_CASE("a coarse view filters its waves for its larger pixels") {
 
 TEST_CASE("an erosion reads its map with a margin around each band, and scales the map to what presets are "
           "made for") {
-    const HeightMap map{.open = {}, .width = 300, .height = 200, .tileable = true};
-    const SmoothedMap smoothed{.intervals = {60, 40}, .heights = std::vector<float>(63 * 43), .slope = 0.1};
+    HeightMap map{.open = {}, .width = 300, .height = 200, .pixel = {2, 3}, .tileable = true};
+    SmoothedMap smoothed{.axes = {SplineAxis{60, 300, 0, 60}, SplineAxis{40, 200, 0, 40}},
+                         .heights = std::vector<float>(63 * 43),
+                         .slope = 0.05};
     const Request request =
         request_of({{"view", "terrain"}, {"octaves", "3"}, {"branching", "0.5"}, {"seed", "7"}});
     const Plan made = erosion_plan(map, smoothed, 600, request, {10, 20, 30, 40}, false);
@@ -364,13 +366,28 @@ TEST_CASE("an erosion reads its map with a margin around each band, and scales t
     const auto push = values_of<passes::ErodePush>(made.steps.front().push).front();
     CHECK(std::array{push.first_column, push.first_row, push.width, push.height} ==
           std::array{10, 20, 30, 40});
-    CHECK(push.pixel == 8 / 300.0f);
-    CHECK(std::array{push.period.x, push.period.y, push.unit} == std::array{8.0f, 16 / 3.0f, 75.0f});
+    CHECK(std::array{push.pixel.x, push.pixel.y} == std::array{8 / 300.0f, 8 / 200.0f});
+    CHECK(std::array{push.period.x, push.period.y, push.unit} == std::array{8.0f, 8.0f, 75.0f});
+    CHECK(std::array{push.cell.x, push.cell.y} == std::array{0, 0});
+    CHECK(std::array{push.local.x, push.local.y, push.phase.x, push.phase.y} ==
+          std::array{0.0f, 0.0f, 0.0f, 0.0f});
     CHECK(std::array{push.nodes.x, push.nodes.y} == std::array{0.2f, 0.2f});
-    CHECK(push.steepness == Approx(0.637 / 0.05)); // heights of 0.1 per pixel of 2 units
+    CHECK(push.steepness == Approx(0.637 / 0.05));
     CHECK(std::array{push.map_width, push.tileable, static_cast<int>(push.seed)} == std::array{300, 1, 7});
     CHECK(values_of<std::int32_t>(made.tables.front()).front() == 3);
     CHECK(values_of<float>(made.tables.front()).back() == 0.5f);
+
+    map.tileable = false;
+    map.world = std::array{-100, 250}; // p of -8/3 and 10
+    smoothed.axes = {SplineAxis{1, 7, 5 / 7.0, 44}, SplineAxis{1, 7, 0.75, 30}};
+    const Plan placed = erosion_plan(map, smoothed, 600, request, {0, 0, 300, 200}, false);
+    const auto there = values_of<passes::ErodePush>(placed.steps.front().push).front();
+    CHECK(std::array{there.cell.x, there.cell.y} == std::array{-3, 10});
+    CHECK(there.local.x == Approx(1 / 3.0));
+    CHECK(there.local.y == Approx(0).margin(1e-6));
+    CHECK(std::array{there.phase.x, there.phase.y} == std::array{static_cast<float>(5 / 7.0), 0.75f});
+    CHECK(there.nodes.x == static_cast<float>(1 / 7.0));
+    CHECK(there.table_width == 47);
 }
 
 TEST_CASE("bands cover a region once, and blocks are never cut") {

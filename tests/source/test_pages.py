@@ -187,9 +187,9 @@ COSTS = [
      f"6 * said('{P}', '; (N) us without the latter')", 0.1),
     ("docs/study.md", "(N) times faster than the seminal noise with N = 2, and (N) times with N = 4", "said('docs/study.md', "
      r"'(N) times \\(N = 2\\)'), said('docs/study.md', '(N) times at N = 4')", 0),
-    ("docs/performance-notes.md", "takes (N) cycles with 25 nodes, (N) times `gabor_noise`", "filter_cycles('all'), filter('all')", 0.01),
-    ("docs/performance-notes.md", "of (N) cycles compared with random signs", "cycles('gabor_noise, paper')", 0),
-    ("docs/performance-notes.md", "Its GLSL takes (N) ns", "said('docs/by-example.md', 'takes (N) ns')", 0),
+    ("shaders/performance-notes.md", "takes (N) cycles with 25 nodes, (N) times `gabor_noise`", "filter_cycles('all'), filter('all')", 0.01),
+    ("shaders/performance-notes.md", "of (N) cycles compared with random signs", "cycles('gabor_noise, paper')", 0),
+    ("shaders/performance-notes.md", "Its GLSL takes (N) ns", "said('docs/by-example.md', 'takes (N) ns')", 0),
     *((page, pattern, "", 0) for page, pattern in (
         (P, "The H100 has only timed slower code of these noises: .*? 30 times as that seminal noise"), (P, "takes 10 ps per value on"), (P, "materials take 25 to 350 ps"), (P, "costs 5 % more than `tests/bench"),
         (P, "3.1 times as long as `gabor_noise` for small"), (P, "costs three octaves"), (P, "0.9 us for a point"), (P, "2.1 us without"),
@@ -229,7 +229,7 @@ class Costs(unittest.TestCase):
     def test_every_figure_has_a_source(self):
         unknown, seen = [], 0
         for page, text in self.texts.items():
-            if page in ("CHANGELOG.md", "docs/performance-notes.md"):  # of other versions, and of code that was not kept
+            if page in ("CHANGELOG.md", "shaders/performance-notes.md", "docs/functions.md"):  # of other versions and code; made from manuals
                 continue
             known = {i for row in COSTS if row[0] == page for match in figures([row[1]]).finditer(text) for i in range(*match.span())}
             for match in figures(COST).finditer(text):

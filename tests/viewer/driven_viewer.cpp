@@ -7,6 +7,7 @@
 //     open FILE | save FILE | copy FILE   copy writes the clipboard's text to the file
 //     maps SIDE                           the sides of exported maps
 //     export FILE | screenshot FILE | window FILE    screenshot: the picture; window: also the panels
+//     find TEXT       reports where the window shows this text, and no more of the same label, as `found`
 //     quit
 
 #include "viewer/app.hpp"
@@ -17,14 +18,17 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <poll.h>
+#include <string_view>
+#include <vector>
 
 // As in GLFW/glfw3native.h, which would need X11 headers.
 extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
@@ -60,6 +64,52 @@ struct Seen {
     }
 };
 
+// Where a draw list shows a text, and no more of the same label: left, top, right and bottom of its first
+// place from the top. Letters are quads of the font's glyphs.
+std::optional<std::array<float, 4>> place_in(const ImVector<ImDrawVert>& corners, std::string_view text) {
+    const ImFont& font = *ImGui::GetFont();
+    const ImVec2 white = font.ContainerAtlas->TexUvWhitePixel;
+    std::vector<const ImFontGlyph*> glyphs;
+    for (const char letter : text)
+        if (letter != ' ')
+            glyphs.push_back(font.FindGlyph(static_cast<ImWchar>(letter)));
+    const int length = 4 * static_cast<int>(glyphs.size());
+    const auto touches = [&](int letter, ImVec2 end) {
+        return letter >= 0 && letter < corners.Size &&
+               (corners[letter].uv.x != white.x || corners[letter].uv.y != white.y) &&
+               std::abs(corners[letter].pos.y - end.y) < ImGui::GetFontSize() &&
+               std::abs(corners[letter].pos.x - end.x) < 0.6f * ImGui::GetFontSize();
+    };
+    std::optional<std::array<float, 4>> place;
+    for (int first = 0; first + length <= corners.Size; ++first) {
+        const ImVec2 begin = corners[first].pos, end = corners[first + length - 2].pos;
+        bool same = !touches(first + length, end) && !touches(first - 2, begin);
+        for (int i = 0; same && i < length; i += 4)
+            same = corners[first + i].uv.x == glyphs[static_cast<std::size_t>(i / 4)]->U0 &&
+                   corners[first + i].uv.y == glyphs[static_cast<std::size_t>(i / 4)]->V0;
+        if (same && (!place || begin.y < place->at(1)))
+            place = {begin.x, begin.y, end.x, end.y};
+    }
+    return place;
+}
+
+// Where the last frame showed a text: in the front window that does, with its children.
+json place_of(std::string_view text) {
+    std::optional<std::array<float, 4>> place;
+    const ImGuiWindow* root = nullptr;
+    const auto& windows = ImGui::GetCurrentContext()->Windows;
+    for (int w = windows.Size; w-- > 0 && (!place || windows[w]->RootWindow == root);) {
+        const auto found = windows[w]->WasActive && !windows[w]->Hidden
+                               ? place_in(windows[w]->DrawList->VtxBuffer, text)
+                               : std::nullopt;
+        if (!found || (place && place->at(1) < found->at(1)))
+            continue;
+        place = found;
+        root = windows[w]->RootWindow;
+    }
+    return place ? json(*place) : json();
+}
+
 json dialog(const Session& session) {
     if (!session.dialog)
         return nullptr;
@@ -68,7 +118,7 @@ json dialog(const Session& session) {
             {"typed", ImGui::GetIO().WantTextInput}};
 }
 
-void tell(App& app, const Seen& seen) {
+void tell(App& app, const Seen& seen, const json& found) {
     const Session& session = app.session();
     const ImGuiIO& io = ImGui::GetIO();
     const json line{
@@ -98,6 +148,9 @@ void tell(App& app, const Seen& seen) {
         {"search", session.search},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
         {"reading", session.reading},
+        {"found", found},
+        {"panel",
+         ImGui::FindWindowByName("panels") ? ImGui::FindWindowByName("panels")->DC.CursorStartPos.x : 0},
     };
     fmt::print("{}\n", line.dump());
     std::fflush(stdout);
@@ -116,8 +169,8 @@ void set(Document& document, const std::string& name, const std::string& value) 
         set_parameter(document, name, gabor::render::read(gabor::render::parameter(name), value));
 }
 
-/// Returns whether to continue. `rest` is the line after its first word.
-bool obey(App& app, const std::string& name, const std::string& rest) {
+/// Returns whether to continue. `rest` is the line after its first word, and `found` the answer to `find`.
+bool obey(App& app, const std::string& name, const std::string& rest, json& found) {
     Session& session = app.session();
     if (name == "quit")
         return false;
@@ -131,6 +184,8 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
         write_preset(session);
     } else if (name == "resize") {
         resize(session.document(), std::stod(rest));
+    } else if (name == "find") {
+        found = place_of(rest);
     } else if (name == "copy") {
         std::ofstream(rest) << ImGui::GetClipboardText();
     } else if (name == "export") {
@@ -150,7 +205,7 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
 
 /// Obeys a command if one has arrived, and returns whether to continue. The sender waits for each command's
 /// report before it sends the next.
-bool listen(App& app, Seen& seen) {
+bool listen(App& app, Seen& seen, json& found) {
     pollfd input{0, POLLIN, 0};
     const int patience = app.fine() ? 30 : 0; // in ms: most frames show what the last one showed
     std::string line;
@@ -158,17 +213,18 @@ bool listen(App& app, Seen& seen) {
         return true;
     ++seen.commands;
     const std::size_t space = line.find(' ');
-    return obey(app, line.substr(0, space), space == line.npos ? "" : line.substr(space + 1));
+    return obey(app, line.substr(0, space), space == line.npos ? "" : line.substr(space + 1), found);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
     Seen seen;
+    json found;
     return run_viewer(argc, argv, [&](App& app) {
         if (seen.frames > 0) // reports the previous frame
-            tell(app, seen);
+            tell(app, seen, found);
         seen.add(ImGui::GetIO());
-        return listen(app, seen);
+        return listen(app, seen, found);
     });
 }

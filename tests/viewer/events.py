@@ -24,7 +24,10 @@ PATIENCE = 120 # seconds; a longer wait is a failure, even on a slow machine
 
 
 class EventsTest(ViewerTest):
+    shift = 0, 0 # see origin()
+
     def open(self, *arguments, **changes):
+        self.shift = 0, 0
         self.process = self.start(*arguments, program=DRIVEN_VIEWER, **changes)
         self.addCleanup(self.process.kill)
         self.said = threading.Condition()
@@ -112,7 +115,14 @@ class EventsTest(ViewerTest):
             self.xdotool("key", name)
             self.wait_for(lambda state: state["keys"] > before, or_end=True)
 
+    def origin(self, label):
+        """Counts pixels from a label's upper left corner from now on."""
+        self.shift = 0, 0
+        left, top, _, _ = self.place(label)
+        self.shift = round(left), round(top)
+
     def point(self, x, y):
+        x, y = x + self.shift[0], y + self.shift[1]
         self.xdotool("mousemove", "--window", self.window, x, y)
         self.wait_for(lambda state: state["pointer"] == [x, y])
 
@@ -142,9 +152,41 @@ class EventsTest(ViewerTest):
         self.xdotool("mouseup", 1)
         self.wait_for(lambda state: state["clicks"] > before)
 
+    def place(self, label):
+        """Returns left, top, right and bottom of a label in the window."""
+        self.frames(3)
+        self.command(f"find {label}")
+        self.assertIsNotNone(self.state["found"], f"the window shows no '{label}'")
+        x, y = self.shift
+        left, top, right, bottom = self.state["found"]
+        return left - x, top - y, right - x, bottom - y
+
+    def middle(self, label):
+        left, top, right, bottom = self.place(label)
+        return round((left + right) / 2), round((top + bottom) / 2)
+
+    def press(self, label):
+        """Presses the button, check box, picture or entry of a list with this label."""
+        self.click(*self.middle(label))
+
+    def beside(self, label, share=0.5):
+        """Returns the point at this share of the width of the control whose label stands to its right: a slider, list or field."""
+        left, top, _, bottom = self.place(label)
+        begin = self.state["panel"] - self.shift[0]
+        return round(begin + share * (left - 6 - begin)), round((top + bottom) / 2)
+
+    def choose(self, label, entry):
+        """Opens a list, and chooses an entry."""
+        self.click(*self.beside(label))
+        self.press(entry)
+
+    def reset(self, label):
+        """Double-clicks a slider."""
+        self.double_click(*self.beside(label, 0.3))
+
     def double_click(self, x, y):
         with self.long_frame(): # so that slow frames cannot separate the clicks
-            self.xdotool("mousemove", "--window", self.window, x, y, "click", 1, "click", 1)
+            self.xdotool("mousemove", "--window", self.window, x + self.shift[0], y + self.shift[1], "click", 1, "click", 1)
 
     def resize(self, width, height):
         self.xdotool("windowsize", "--sync", self.window, width, height)

@@ -67,11 +67,13 @@ class Events(EventsTest):
             self.xdotool(*at, 90, 90, "click", 1, "click", 1, *at, 300, 100)
         self.assertEqual(self.document["viewer"]["camera"], first)
         self.rest()
-        with self.long_frame(): # two clicks at different points: the second opens the presets
-            self.xdotool(*at, 160, 60, "click", 1, *at, 500, 23, "click", 1, *at, 100, 100)
+        presets = self.middle("Materials and presets")
+        with self.long_frame(): # two clicks at different points
+            self.xdotool(*at, 160, 60, "click", 1, *at, *presets, "click", 1, *at, 100, 100)
         self.assertTrue(self.state["gallery"])
-        with self.long_frame(): # a click on the second preset, and a key
-            self.xdotool(*at, 230, 100, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
+        pine = self.middle("pine")
+        with self.long_frame(): # a click on a preset, and a key
+            self.xdotool(*at, *pine, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
         self.assertEqual((self.document["material"], self.document["seed"]), ("wood", 3)) # pine has seed 2; N adds 1
         self.close()
 
@@ -124,14 +126,15 @@ class Events(EventsTest):
         def typed(text):
             return "key", "ctrl+a", "type", "--delay", 0, text
 
+        fields = [self.beside(f"{wood} colour", 0.2) for wood in ("earlywood", "latewood")]
         with self.long_frame(): # two colours, one after the other, by clicks
-            for y, colour in ((135, "#445566"), (163, "#778899")):
-                self.xdotool(*at, 400, y, "click", 1)
+            for field, colour in zip(fields, ("#445566", "#778899")):
+                self.xdotool(*at, *field, "click", 1)
                 self.xdotool(*typed(colour))
         self.frames(24)
         self.assertEqual(self.colours(), ["#445566", "#778899"])
         with self.long_frame(): # and by Tab, then the slider below them
-            self.xdotool(*at, 400, 135, "click", 1)
+            self.xdotool(*at, *fields[0], "click", 1)
             for text in ("#A1B2C3", "#D4E5F6", "21"):
                 self.xdotool(*typed(text))
                 self.xdotool("key", "Tab")

@@ -25,20 +25,22 @@ class Window(EventsTest):
         self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
     def test_the_panel_works_with_the_mouse(self):
-        # The first drop-down of the panel is the material; its third entry is fabric.
         self.play("""
             fine
             save before.json
-            click 680 107
-            click 580 175
+            choose material fabric
             save after.json
             keys ctrl+z
             save undone.json
             keys ctrl+y
-            save redone.json""", "plain.json", "--window", "860x500")
+            save redone.json
+            keys ctrl+z
+            choose fractal ridged
+            save fractal.json""", "plain.json", "--window", "860x500")
         materials = [json.loads((self.folder / f"{name}.json").read_text())["material"]
                      for name in ("before", "after", "undone", "redone")]
         self.assertEqual(materials, ["none", "fabric", "none", "fabric"])
+        self.assertEqual(json.loads((self.folder / "fractal.json").read_text())["fractal"], "ridged")
 
     def test_saving_over_another_document_asks(self):
         self.play("""
@@ -54,28 +56,29 @@ class Window(EventsTest):
         self.assertEqual(seeds, [0, 1])
 
     def test_lobes_are_edited_in_the_frequency_plane(self):
-        # In the window, frequency 0 is at (620, 324) and the lobe of frequency 4 at (698, 324).
+        # From the title of the section, frequency 0 is at (72, 131), and the lobe of frequency 4 at (150, 131).
         self.play("""
             fine
-            drag 700 328 622 256
+            origin Spectrum
+            drag 152 135 74 63
             save moved.json
-            click 570 392
+            click 22 199
             rest
-            drag 570 392 580 372
+            drag 22 199 32 179
             keys Delete
             save same.json
-            double_click 675 379
+            double_click 127 186
             save added.json
             keys Delete
             save removed.json
-            click 758 241
-            click 758 264
+            press add
+            press add
             save more.json
             keys ctrl+z
             keys ctrl+z
-            double_click 580 452
+            reset frequency
             save reset.json
-            drag 620 402 670 350
+            drag 72 209 122 157
             save mirrored.json""", "plain.json", "--window", "860x500")
 
         def lobes(name):
@@ -98,8 +101,10 @@ class Window(EventsTest):
     def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
         self.play("""
             point 300 300
+            place Spectrum
             window lobe.png""", "plain.json", "--window", "860x500")
-        plane = read_colour_png(self.folder / "lobe.png")
+        left, top, _, _ = map(round, self.state["found"])
+        plane = read_colour_png(self.folder / "lobe.png")[top:, left:] # as above
         pixels = 78 / 4 # per cycle per kernel radius; the positions are as in the test above
         cell = 2 * 2**2.5 / 72
 
@@ -109,17 +114,19 @@ class Window(EventsTest):
 
         for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
             y = 6
-            seen = plane[324 + y, 698 + x, 2]
+            seen = plane[131 + y, 150 + x, 2]
             low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
                          for less in (0, cell))
             self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
-        self.assertLess(plane[240:300, 600:640].max(), 60) # far from the lobe, only the axes and rings are drawn
+        self.assertLess(plane[47:107, 52:92].max(), 60) # far from the lobe, only the axes and rings are drawn
 
     def test_nothing_hides_the_number_of_a_slider(self):
         self.play("""
             point 300 300
+            place rings
             window panel.png""", "walnut", "--window", "860x500")
-        sliders = read_colour_png(self.folder / "panel.png")[180:292, 510:716] # rings, waviness, pores and roughness
+        top = round(self.state["found"][1]) - 9
+        sliders = read_colour_png(self.folder / "panel.png")[top:top + 112, 510:716] # rings, waviness, pores and roughness
         colourful = (np.ptp(sliders, axis=2) > 40).reshape(4, 28, -1).sum(axis=2)
         self.assertTrue((colourful[:, 17:].sum(axis=1) > 40).all()) # each has a line at its place
         self.assertEqual(colourful[:, :17].sum(), 0) # the line is below the number
@@ -128,9 +135,10 @@ class Window(EventsTest):
     def test_a_tooltip_covers_no_control(self):
         self.open("walnut", "--window", "860x800")
         self.point(600, 760) # below all controls
-        around = lambda: self.shown(0, 210, 860, 300) # below the first slider and the pointer
+        x, y = self.beside("rings", 0.44)
+        around = lambda: self.shown(0, y + 20, 860, 300) # below the slider and the pointer
         before = around()
-        self.point(600, 192) # the first slider, whose tooltip is as high as its control
+        self.point(x, y) # the slider, whose tooltip is as high as its control
         self.wait_for(lambda state: np.abs(around() - before).max() > 20)
         self.frames(3)
         covered = np.abs(around() - before).max(axis=2) > 20

@@ -13,22 +13,22 @@ from png import read_colour_png, read_deep_png
 
 WINDOW = "--window", "820x700"
 VIEW = 456 # the view's width, without the panels
-ANIMATION, TEXTURE, MAPS = 1, 2, 3 # indices in the list of what to export
+KINDS = "a picture", "an animation", "a texture", "a set of maps" # the list of what to export
+ANIMATION, TEXTURE, MAPS = 1, 2, 3
 
 
 class Workshop(EventsTest):
     def show_exports(self):
         """Scrolls the panel to the section with the exports."""
-        self.click(740, 51)
+        self.press("Export")
         self.frames(3)
 
-    def export_as(self, kind, y=504):
-        """Chooses what to export from the list at the height y, and exports it."""
-        self.click(620, y)
-        self.click(620, y + 30 + 20 * kind)
+    def export_as(self, kind):
+        """Chooses what to export, and exports it."""
+        self.choose("kind", KINDS[kind])
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(472, y + 111) # the smallest number of frames
+            self.click(*self.beside("frames", 0.01)) # the smallest number
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e", "Return")
         self.exported()
@@ -53,7 +53,7 @@ class Workshop(EventsTest):
         self.point(200, 200)
         self.xdotool("click", "--repeat", 80, "--delay", 1, 5)
         self.frames(3)
-        self.click(100, 420)
+        self.press("storm")
         self.assertFalse(self.state["gallery"])
         self.assertEqual(pathlib.Path(self.state["path"]).name, "storm.json")
         self.keys("p")
@@ -113,7 +113,7 @@ class Workshop(EventsTest):
             self.command(f"open {preset}")
             self.show_exports()
             self.command("maps 64")
-            self.click(540, 671) # Export now
+            self.press("Export now")
             self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])
             # As much as the shorter side showed. A tile of mountains shows at least four kernel radii.
             from_above = ["--view=terrain"] if name == "valley" else []
@@ -125,11 +125,11 @@ class Workshop(EventsTest):
             for each in names:
                 self.assertEqual(self.read(f"{name}/{each}"), self.read(f"expected/{each}"), each)
             if name == "leather":
-                self.click(540, 671) # an export may overwrite its own files
+                self.press("Export now") # an export may overwrite its own files
                 self.wait_for(lambda state: not state["exporting"])
                 self.assertIsNone(self.state["question"])
                 (self.folder / name / "height.png").write_bytes(b"mine")
-                self.click(540, 671)
+                self.press("Export now")
                 self.assertIn("height.png", self.state["question"])
                 self.keys("Escape")
             self.close()
@@ -147,19 +147,19 @@ class Workshop(EventsTest):
         self.assertLess(self.screen(20, 670, 100, 4).mean(), 60)
         for name in ("hill", "valley"):
             self.rest()
-            self.click(720, 671) # Export to...
+            self.press("Export to...")
             self.type(name) # replaces the name in the field, the second time too
             self.keys("Escape")
         self.command("open steel.json") # scrolls the panel to its top
         self.frames(3)
-        self.click(664, 135) # the colour
+        self.click(*self.beside("metal colour", 0.97))
         self.frames(2)
         self.assertTrue(self.state["popup"])
         self.keys("Escape")
         self.assertFalse(self.state["popup"])
         self.keys("p")
         self.frames(3)
-        self.click(370, 85) # the picture of another preset
+        self.press("walnut")
         self.assertFalse(self.state["gallery"])
         self.assertEqual(self.state["export_name"], self.state["path"].removesuffix(".json"))
         self.assertEqual(self.read("steel/base_color.png"), steel)
@@ -173,13 +173,14 @@ class Workshop(EventsTest):
 
     def test_a_press_beside_the_colour_picker_closes_it_and_acts(self):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
-        for x, y, opens in ((664, 135, True), (664, 137, False), (664, 135, True)): # the colour
+        x, y = self.beside("metal colour", 0.97)
+        for down, opens in ((0, True), (2, False), (0, True)):
             self.rest()
-            self.click(x, y)
+            self.click(x, y + down)
             self.frames(2)
             self.assertEqual(self.state["popup"], opens)
         azimuth = self.document["light_azimuth"]
-        self.drag(502, 615, 600, 615) # its slider
+        self.drag(*self.beside("azimuth", 0.15), *self.beside("azimuth", 0.62))
         self.assertFalse(self.state["popup"])
         self.assertGreater(self.document["light_azimuth"], azimuth + 30)
         self.close()

@@ -6,11 +6,11 @@
 #include "seconds.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/quantile.hpp"
+#include "system/process.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -93,9 +93,9 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
 
 // The CPU time of a run, shared by all cores: on a CPU, other work does not count.
 double cpu_seconds(const std::function<double()>& run) {
-    const std::clock_t start = std::clock();
+    const double start = system::cpu_seconds();
     run();
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / std::thread::hardware_concurrency();
+    return (system::cpu_seconds() - start) / std::thread::hardware_concurrency();
 }
 
 // Interleaves the noises, so that other load on the machine affects all alike. An idle GPU takes a while to

@@ -106,10 +106,12 @@ void add_fractal(std::vector<Subject>& all) {
 // Adds the functions of passes/bench/water.comp, in the order of their numbers.
 void add_water(std::vector<Subject>& all) {
     std::uint32_t number = 0;
+    render::Request sea;
+    sea.kind = render::Kind::sea;
     for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone"}) {
         all.push_back({name, 36, water_spirv, nullptr, {number++}});
         all.back().has_loops = true;
-        all.back().table = render::ocean_table({});
+        all.back().table = render::ocean_table(sea);
     }
 }
 

@@ -121,10 +121,10 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
     print_base(report.base);
     print_trends(report.trends);
     print_row(device, report.base);
-    fmt::print("\npeak resident memory: {} MiB\n", cli::peak_memory() >> 20);
+    fmt::print("\npeak resident memory: {} MiB\n", system::peak_memory() >> 20);
     return {{"base", to_json(report.base)},
             {"trends", to_json(report.trends)},
-            {"peak_memory", cli::peak_memory()}};
+            {"peak_memory", system::peak_memory()}};
 }
 
 ordered_json count_code(const vulkan::Device& device, const std::vector<std::string>& files) {
@@ -151,7 +151,7 @@ void run_bench(const BenchOptions& options) {
     if (options.json)
         file.emplace(*options.json);
     const vulkan::Device device(options.device);
-    cli::note_interrupts();
+    system::note_interrupts();
     ordered_json json{{"device", device.info().name}, {"driver", device.info().driver}};
     json.update(options.isa ? count_code(device, options.files) : time_all(device, options.quick));
     if (file) {

@@ -47,7 +47,7 @@ void measure(const StudyOptions& options) {
                                                           {"quick", options.quick}}
                                        .dump(2) +
                                    "\n";
-    cli::note_interrupts();
+    system::note_interrupts();
 
     std::vector<study::Table> tables;
     for (const study::Study& study : studies)

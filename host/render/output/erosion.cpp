@@ -52,8 +52,9 @@ class MapRows {
             float& height = heights_[x];
             height = values_[channels * x];
             if (channels == 3 && (values_[3 * x + 1] != height || values_[3 * x + 2] != height))
-                throw RequestError(fmt::format(
-                    "the map is in colour, for example at pixel ({}, {}): a heightmap is grey", x, read_));
+                throw RequestError(fmt::format("the map is in colour, for example at pixel ({}, {}): a "
+                                               "heightmap is grey, or needs --encoding",
+                                               x, read_));
             if (map_.missing && (height == *map_.missing || std::isnan(height))) {
                 height = passes::missing_height;
                 continue;
@@ -78,10 +79,11 @@ struct Reach {
     std::size_t first;
     std::array<double, 4> weight;
 };
-std::vector<Reach> reaches(int pixels, int intervals) {
+std::vector<Reach> reaches(int pixels, const SplineAxis& axis) {
     std::vector<Reach> all;
     for (int i = 0; i < pixels; ++i) {
-        const double at = (i + 0.5) * intervals / pixels, t = at - std::floor(at), u = 1 - t;
+        const double at = axis.phase + (i + 0.5) * axis.nodes / axis.pixels, t = at - std::floor(at),
+                     u = 1 - t;
         all.push_back(
             {static_cast<std::size_t>(at),
              {u * u * u / 6, (4 - 3 * t * t * (1 + u)) / 6, (4 - 3 * u * u * (1 + t)) / 6, t * t * t / 6}});
@@ -101,23 +103,34 @@ void wrap(std::vector<double>& sums, int intervals, std::size_t stride, std::siz
         }
 }
 
-double steepness_of(const SmoothedMap& smoothed, int width, double extent) {
-    const double slope = smoothed.slope * width / extent;
-    return slope > 0 ? preset_slope / slope : 1;
+double steepness_of(const SmoothedMap& smoothed) {
+    return smoothed.slope > 0 ? preset_slope / smoothed.slope : 1;
+}
+
+// Nodes a whole number of which fits the map; in a world, those that are a multiple of `spacing` from its
+// origin.
+SplineAxis axis_of(int pixels, double spacing, std::optional<int> first) {
+    if (!first) {
+        const double intervals = std::clamp(std::round(pixels / spacing), 3.0, std::max(3.0, 1.0 * pixels));
+        return {intervals, 1.0 * pixels, 0, static_cast<int>(intervals)};
+    }
+    const double at = *first / spacing, phase = at - std::floor(at);
+    return {1, spacing, phase, static_cast<int>(std::ceil(phase + pixels / spacing))};
 }
 
 } // namespace
 
 SmoothedMap smoothed(const HeightMap& map, double spacing) {
     SmoothedMap result;
-    const auto intervals = [&](int pixels) {
-        return static_cast<int>(std::clamp(std::round(pixels / spacing), 3.0, std::max(3.0, 1.0 * pixels)));
+    const auto origin = [&](std::size_t axis) {
+        return map.world ? std::optional((*map.world)[axis]) : std::nullopt;
     };
-    result.intervals = {intervals(map.width), intervals(map.height)};
-    const std::vector<Reach> columns = reaches(map.width, result.intervals[0]),
-                             rows = reaches(map.height, result.intervals[1]);
-    const auto across = static_cast<std::size_t>(result.intervals[0] + 3),
-               down = static_cast<std::size_t>(result.intervals[1] + 3);
+    result.axes = {axis_of(map.width, spacing, origin(0)),
+                   axis_of(map.height, spacing * map.pixel[0] / map.pixel[1], origin(1))};
+    const auto& [axis_x, axis_y] = result.axes;
+    const std::vector<Reach> columns = reaches(map.width, axis_x), rows = reaches(map.height, axis_y);
+    const auto across = static_cast<std::size_t>(axis_x.intervals + 3),
+               down = static_cast<std::size_t>(axis_y.intervals + 3);
     std::vector<double> sums(across * down), weights(across * down), line(across), line_weights(across);
     float low = std::numeric_limits<float>::max(), high = -low;
     MapRows heights(map);
@@ -154,8 +167,8 @@ SmoothedMap smoothed(const HeightMap& map, double spacing) {
         throw RequestError("the map has no heights: every pixel has the value of --nodata");
     if (map.tileable)
         for (std::vector<double>* each : {&sums, &weights}) {
-            wrap(*each, result.intervals[0], 1, down, across);
-            wrap(*each, result.intervals[1], across, across, 1);
+            wrap(*each, axis_x.intervals, 1, down, across);
+            wrap(*each, axis_y.intervals, across, across, 1);
         }
     result.range = {low, high};
     constexpr double no_weight = 1e-9;
@@ -185,34 +198,41 @@ SmoothedMap smoothed(const HeightMap& map, double spacing) {
             const auto offset = [](int i) { return static_cast<std::size_t>(i); };
             const double to_right = along([&](int i, int j) { return at(x + offset(i), y + offset(j)); });
             const double to_bottom = along([&](int i, int j) { return at(x + offset(j), y + offset(i)); });
-            power += std::pow(to_right * result.intervals[0] / map.width, 2) +
-                     std::pow(to_bottom * result.intervals[1] / map.height, 2);
+            power += std::pow(to_right * axis_x.nodes / axis_x.pixels / map.pixel[0], 2) +
+                     std::pow(to_bottom * axis_y.nodes / axis_y.pixels / map.pixel[1], 2);
         }
     result.slope = std::sqrt(power / std::max(nodes, 1.0));
     return result;
 }
 
-double erosion_reach(const SmoothedMap& smoothed, int width, double extent, const Request& request) {
-    return erosion_reach(request) * std::get<double>(*parameter("gully_weight").get(request)) * extent /
-           preset_side / steepness_of(smoothed, width, extent);
+double erosion_reach(const SmoothedMap& smoothed, double side, const Request& request) {
+    return erosion_reach(request) * std::get<double>(*parameter("gully_weight").get(request)) * side /
+           preset_side / steepness_of(smoothed);
 }
 
-Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double extent, const Request& request,
+Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double side, const Request& request,
                   const image::Rect& region, bool cover) {
     auto push = push_of<passes::ErodePush>(region);
-    const double pixel = preset_side / map.width;
+    const auto& [axis_x, axis_y] = smoothed.axes;
+    const std::array pixel{preset_side * map.pixel[0] / side, preset_side * map.pixel[1] / side};
     if (map.tileable)
-        push.period = vec2_of(pixel * map.width, pixel * map.height);
-    push.nodes = vec2_of(1.0 * smoothed.intervals[0] / map.width, 1.0 * smoothed.intervals[1] / map.height);
-    push.pixel = static_cast<float>(pixel);
-    push.unit = static_cast<float>(extent / preset_side);
-    push.steepness = static_cast<float>(steepness_of(smoothed, map.width, extent));
+        push.period = vec2_of(pixel[0] * map.width, pixel[1] * map.height);
+    push.nodes = vec2_of(axis_x.nodes / axis_x.pixels, axis_y.nodes / axis_y.pixels);
+    push.phase = vec2_of(axis_x.phase, axis_y.phase);
+    push.pixel = vec2_of(pixel[0], pixel[1]);
+    if (map.world) {
+        const double x = pixel[0] * (*map.world)[0], y = pixel[1] * (*map.world)[1];
+        push.cell = {static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
+        push.local = vec2_of(x - std::floor(x), y - std::floor(y));
+    }
+    push.unit = static_cast<float>(side / preset_side);
+    push.steepness = static_cast<float>(steepness_of(smoothed));
     push.missing = static_cast<float>(map.offset + map.scale * map.missing.value_or(0));
     push.middle = std::midpoint(smoothed.range[0], smoothed.range[1]);
     push.relief = std::max(smoothed.range[1] - push.middle, std::numeric_limits<float>::min());
     push.seed = request.seed;
     push.map_width = map.width;
-    push.table_width = smoothed.intervals[0] + 3;
+    push.table_width = axis_x.intervals + 3;
     push.tileable = map.tileable;
     constexpr int group = passes::erode_group;
     Constants constants{};
@@ -225,9 +245,9 @@ Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double exte
             {map.width, passes::erode_halo}};
 }
 
-void erode(const vulkan::Device& device, const HeightMap& map, const SmoothedMap& smoothed, double extent,
+void erode(const vulkan::Device& device, const HeightMap& map, const SmoothedMap& smoothed, double side,
            const Request& request, const image::Rect& region, bool cover, const Sink& write) {
-    const Renderer renderer(device, erosion_plan(map, smoothed, extent, request, region, cover));
+    const Renderer renderer(device, erosion_plan(map, smoothed, side, request, region, cover));
     const auto width = static_cast<std::size_t>(map.width);
     MapRows rows(map);
     int next = region.y - passes::erode_halo;

@@ -94,8 +94,15 @@ void render_file(const vulkan::Device& device, const Request& request, const ima
             throw RequestError("--write-heightmap needs --view terrain");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(request));
-        heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),
-                        unit / request.scale);
+        const double pixel = unit / request.scale;
+        heights.emplace(
+            *files.heightmap, region,
+            HeightFormat{.elevation = files.elevation.value_or(Elevation{-reach, reach}),
+                         .full_range = files.full_range,
+                         .pixel = {pixel, pixel},
+                         .missing = {},
+                         .geo = image::moved(image::plain_tags({pixel, pixel}), region.x, region.y),
+                         .exr = header});
     }
 
     std::vector<float> shown;

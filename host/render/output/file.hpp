@@ -39,6 +39,7 @@ struct Files {
     std::optional<std::filesystem::path> png;            ///< a picture to look at
     std::optional<std::filesystem::path> heightmap = {}; ///< heights of the terrain view
     std::optional<Elevation> elevation = {}; ///< range of the heightmap; by default the full possible range
+    bool full_range = false;                 ///< or whether it spans the heights that there are
     /// If set, converts a band to the red, green and blue values (0 to 1) that the PNG shows.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
     std::string compression = "none"; ///< of the EXR: see image::exr_compressions

@@ -36,32 +36,19 @@ image::Rect whole_of(const Request& request) {
     return {0, 0, request.width, request.height};
 }
 
-// All channels of all pixels, row by row.
+// All channels of all pixels, row by row. Heights are in metres.
 struct Maps {
     int width;
     int height;
-    bool tiled;
-    double scale; // pixels per unit
-    std::vector<float> values;
-
-    float* at(int x, int y) {
-        return &values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                        static_cast<std::size_t>(x)) *
-                       map_channels.size()];
-    }
-
-    // Beyond an edge, a tile wraps around, and other maps repeat the nearest pixel.
-    double height_at(int x, int y) {
-        const auto within = [this](int i, int side) {
-            if (!tiled)
-                return std::clamp(i, 0, side - 1);
-            const int rest = i % side;
-            return rest < 0 ? rest + side : rest;
-        };
-        return double{at(within(x, width), within(y, height))[height_channel]};
-    }
+    std::vector<float> values = std::vector<float>(static_cast<std::size_t>(width) *
+                                                   static_cast<std::size_t>(height) * map_channels.size());
 
     std::size_t row_values() const { return static_cast<std::size_t>(width) * map_channels.size(); }
+
+    float* at(int x, int y) {
+        return &values[static_cast<std::size_t>(y) * row_values() +
+                       static_cast<std::size_t>(x) * map_channels.size()];
+    }
 
     std::pair<float, float> heights() const {
         float low = values[height_channel];
@@ -72,23 +59,59 @@ struct Maps {
         }
         return {low, high};
     }
-
-    // Sets the share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
-    void set_occlusion(int x, int y) {
-        constexpr std::array<std::array<int, 2>, 8> directions{
-            {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-        const double here = height_at(x, y);
-        double open = 0;
-        for (const auto& [dx, dy] : directions) {
-            double steepest = 0;
-            for (int step = 1; step <= 32; step *= 2)
-                steepest = std::max(steepest, (height_at(x + step * dx, y + step * dy) - here) / step);
-            steepest *= scale / (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1);
-            open += 1 / (1 + steepest * steepest) / static_cast<double>(directions.size());
-        }
-        at(x, y)[occlusion_channel] = static_cast<float>(open);
-    }
 };
+
+constexpr int horizon = 32; // pixels that occlusion looks far
+
+// Returns the heights, row by row, with `horizon` more pixels on each side: beyond an edge, a tile wraps
+// around, and other maps repeat the nearest pixel.
+std::vector<float> bordered_heights(Maps& maps, bool tiled) {
+    const auto within = [tiled](int i, int side) {
+        if (!tiled)
+            return std::clamp(i, 0, side - 1);
+        const int rest = i % side;
+        return rest < 0 ? rest + side : rest;
+    };
+    std::vector<float> heights;
+    heights.reserve(static_cast<std::size_t>(maps.width + 2 * horizon) *
+                    static_cast<std::size_t>(maps.height + 2 * horizon));
+    for (int y = -horizon; y < maps.height + horizon; ++y)
+        for (int x = -horizon; x < maps.width + horizon; ++x)
+            heights.push_back(maps.at(within(x, maps.width), within(y, maps.height))[height_channel]);
+    return heights;
+}
+
+// Sets the share of the sky's light that reaches each pixel: the mean of cos^2 of the horizon's elevation.
+// Rows at a time, which compilers turn into vectors.
+void set_occlusion(Maps& maps, double pixels_per_metre, bool tiled, const image::Advance& advance) {
+    constexpr std::array<std::array<int, 2>, 8> directions{
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    const std::vector<float> heights = bordered_heights(maps, tiled);
+    const std::ptrdiff_t down = maps.width + 2 * horizon;
+    const auto width = static_cast<std::size_t>(maps.width);
+    std::vector<float> steepest(width);
+    std::vector<float> open(width);
+    for (int y = 0; y < maps.height; ++y) {
+        advance(0);
+        std::ranges::fill(open, 0.0f);
+        const float* const here = &heights[static_cast<std::size_t>((y + horizon) * down + horizon)];
+        for (const auto& [dx, dy] : directions) {
+            std::ranges::fill(steepest, 0.0f);
+            for (int step = 1; step <= horizon; step *= 2) {
+                const float* const there = here + step * (dy * down + dx);
+                const auto share = static_cast<float>(pixels_per_metre / (step * std::hypot(dx, dy)));
+                for (std::size_t x = 0; x < width; ++x)
+                    steepest[x] = std::max(steepest[x], share * (there[x] - here[x]));
+            }
+            for (std::size_t x = 0; x < width; ++x)
+                open[x] += 1 / (1 + steepest[x] * steepest[x]);
+        }
+        float* const row = maps.at(0, y);
+        for (std::size_t x = 0; x < width; ++x)
+            row[x * map_channels.size() + occlusion_channel] =
+                open[x] / static_cast<float>(directions.size());
+    }
+}
 
 // Replaces the channels that mip levels cannot average: the roughness r with r^4, the second moment of the
 // microfacets' slopes, and the normal with the slopes along x and y and the sum of their squares.
@@ -128,39 +151,40 @@ std::vector<float> maps_from(std::span<const float> averaged) {
     return maps;
 }
 
-// Appends the maps of a rendered pixel, except for its occlusion.
-void append_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
+// Sets the maps of a rendered pixel, except for its occlusion. `unit` is that of heights, in metres.
+void set_maps(std::span<const float> pixel, bool terrain, float unit, float* maps) {
     constexpr float rough_ground = 1;
     const std::size_t slope = terrain ? passes::terrain_slope : passes::material_slope;
-    maps.insert(maps.end(), pixel.begin(), pixel.begin() + height_channel + 1);
-    maps.push_back(terrain ? rough_ground : pixel[roughness_channel]);
-    maps.push_back(terrain ? 0 : pixel[passes::material_metalness]);
-    const double right = -double{pixel[slope]};
-    const double up = double{pixel[slope + 1]};
-    const double length = std::sqrt(right * right + up * up + 1);
-    for (const double part : {right, up, 1.0})
-        maps.push_back(static_cast<float>(part / length));
-    maps.push_back(0);
+    std::ranges::copy(pixel.first(height_channel), maps);
+    maps[height_channel] = unit * pixel[height_channel];
+    maps[roughness_channel] = terrain ? rough_ground : pixel[roughness_channel];
+    maps[passes::material_metalness] = terrain ? 0 : pixel[passes::material_metalness];
+    const float right = -pixel[slope];
+    const float up = pixel[slope + 1];
+    const float length = std::sqrt(right * right + up * up + 1);
+    maps[normal_channel] = right / length;
+    maps[normal_channel + 1] = up / length;
+    maps[normal_channel + 2] = 1 / length;
 }
 
-Maps draw_maps(const vulkan::Device& device, const Request& request, const image::Advance& advance) {
+Maps draw_maps(const vulkan::Device& device, const Request& request, double metres,
+               const image::Advance& advance) {
     const bool terrain = request.kind == Kind::terrain;
-    const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
-    Maps maps{request.width, request.height, request.view.tileable, request.scale / unit, {}};
-    maps.values.reserve(maps.row_values() * static_cast<std::size_t>(request.height));
+    const double unit = metres / request.width * request.scale / (terrain ? terrain_unit(request) : 1);
+    Maps maps{request.width, request.height};
+    float* next = maps.values.data();
     const std::size_t channels = render::channels(request).size();
     render_region(device, request, whole_of(request), [&](std::span<const float> rows) {
         advance(rows.size() / channels);
-        for (std::size_t i = 0; i < rows.size(); i += channels)
-            append_maps(rows.subspan(i, channels), terrain, maps.values);
+        for (std::size_t i = 0; i < rows.size(); i += channels, next += map_channels.size())
+            set_maps(rows.subspan(i, channels), terrain, static_cast<float>(unit), next);
     });
-    for (int y = 0; y < request.height; ++y) {
-        advance(0);
-        for (int x = 0; x < request.width; ++x)
-            maps.set_occlusion(x, y);
-    }
+    set_occlusion(maps, request.width / metres, request.view.tileable, advance);
     return maps;
 }
+
+constexpr std::string_view directx_name = "normal_directx";
+constexpr float flat_grey = 0.5f; // of height.png where all heights are equal
 
 // One PNG of the set, with the channels that it stores.
 struct Png {
@@ -179,7 +203,7 @@ std::vector<Png> pngs_of(const MapFormat& format) {
                           {"occlusion", {occlusion_channel}},
                           {"orm", {occlusion_channel, roughness_channel, passes::material_metalness}}};
     if (format.directx)
-        pngs.push_back({"normal_directx", normal, format.normal_bits});
+        pngs.push_back({directx_name, normal, format.normal_bits});
     return pngs;
 }
 
@@ -192,12 +216,17 @@ constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 constexpr const char* summary_name = "material.json";
 
-image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format) {
+image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format,
+                           double metres) {
     image::ExrHeader header = exr_header(request, whole_of(request), software(device));
     header.channels = map_channels;
+    if (!format.floats)
+        std::ranges::copy_if(map_channels, std::back_inserter(header.halves),
+                             [](const std::string& name) { return name != map_channels[height_channel]; });
+    header.metres = metres;
     header.compression = format.compression;
     if (format.texture)
-        header.texture = image::ExrHeader::Texture{format.half, request.view.tileable};
+        header.texture = image::ExrHeader::Texture{request.view.tileable};
     return header;
 }
 
@@ -208,34 +237,49 @@ float dither(std::size_t x, std::size_t y) {
     return static_cast<float>(std::fmod(52.9829189 * std::fmod(wave, 1.0), 1.0) - 0.5);
 }
 
-// Writes all channels to the EXR, and each PNG's channels to it. Heights are from `low` to `high`.
+// Returns what a PNG shows of whole rows; `y` is the first. Heights are from `low` to `high`.
+std::vector<float> shown_rows(const Png& png, std::span<const float> rows, std::size_t width, std::size_t y,
+                              float low, float high) {
+    const std::size_t count = png.channels.size();
+    std::vector<float> shown(rows.size() / map_channels.size() * count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t channel = png.channels[k];
+        const auto set = [&](auto show) {
+            const float* from = &rows[channel];
+            for (std::size_t i = k; i < shown.size(); i += count, from += map_channels.size())
+                shown[i] = show(*from);
+        };
+        if (channel < height_channel) {
+            set(srgb);
+        } else if (channel == height_channel) {
+            const float share = high > low ? 1 / (high - low) : 0;
+            set([=](float value) { return share > 0 ? (value - low) * share : flat_grey; });
+        } else if (channel < normal_channel || channel == occlusion_channel) {
+            set([](float value) { return value; });
+        } else {
+            const float half = channel == normal_channel + 1 && png.name == directx_name ? -0.5f : 0.5f;
+            set([half](float value) { return 0.5f + half * value; });
+        }
+    }
+    if (png.channels.front() == normal_channel && png.bits == 8)
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            shown[i] += dither(i / 3 % width + 32 * (i % 3), y + i / 3 / width) / 255;
+    return shown;
+}
+
+// Writes all channels to the EXR, and each PNG's channels to it.
 void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>& pngs,
                 std::vector<image::PngWriter>& writers, float low, float high,
                 const image::Advance& advance) {
-    const auto shown = [&](const Png& png, std::size_t channel, float value) {
-        if (channel < height_channel)
-            return srgb(value);
-        if (channel == height_channel)
-            return high > low ? (value - low) / (high - low) : 0.5f;
-        if (channel < normal_channel || channel == occlusion_channel)
-            return value;
-        return 0.5f + (channel == normal_channel + 1 && png.name != "normal" ? -0.5f : 0.5f) * value;
-    };
-    std::vector<float> colours;
-    for (std::size_t at = 0; at < maps.values.size(); at += maps.row_values()) {
+    constexpr std::size_t band = 64; // rows
+    for (std::size_t y = 0; y * maps.row_values() < maps.values.size(); y += band) {
         advance(0);
-        const std::span<const float> row(&maps.values[at], maps.row_values());
-        exr.write_rows(row);
-        for (std::size_t k = 0; k < pngs.size(); ++k) {
-            colours.clear();
-            for (std::size_t i = 0; i < row.size(); i += map_channels.size())
-                for (const std::size_t channel : pngs[k].channels)
-                    colours.push_back(shown(pngs[k], channel, row[i + channel]));
-            if (pngs[k].channels.front() == normal_channel && pngs[k].bits == 8)
-                for (std::size_t i = 0; i < colours.size(); ++i)
-                    colours[i] += dither(i / 3 + 32 * (i % 3), at / maps.row_values()) / 255;
-            writers[k].write_rows(colours);
-        }
+        const auto left = std::span(maps.values).subspan(y * maps.row_values());
+        const auto rows = left.first(std::min(left.size(), band * maps.row_values()));
+        exr.write_rows(rows);
+        for (std::size_t k = 0; k < pngs.size(); ++k)
+            writers[k].write_rows(
+                shown_rows(pngs[k], rows, static_cast<std::size_t>(maps.width), y, low, high));
     }
 }
 
@@ -259,26 +303,27 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
     for (const Png& png : pngs)
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    image::ExrWriter exr(folder / exr_name, header_of(device, request, format));
+    const bool terrain = request.kind == Kind::terrain;
+    const double metres = format.metres.value_or(terrain && request.extent > 0 ? request.extent : 1);
+    image::ExrWriter exr(folder / exr_name, header_of(device, request, format, metres));
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile gltf(folder / gltf_name);
     image::OutputFile json(folder / summary_name);
 
-    const Maps maps = draw_maps(device, request, advance);
-    const std::pair<float, float> heights = maps.heights();
-    write_rows(maps, exr, pngs, writers, heights.first, heights.second, advance);
+    const Maps maps = draw_maps(device, request, metres, advance);
+    const auto [low, high] = maps.heights();
+    write_rows(maps, exr, pngs, writers, low, high, advance);
     if (format.texture)
         write_levels(exr, maps);
-    const bool terrain = request.kind == Kind::terrain;
-    const double extent = terrain ? request.extent : 0;
-    const double metres = format.metres.value_or(extent > 0 ? extent : 1);
-    const double unit = extent > 0 ? metres / extent : metres * request.scale / request.width; // of heights
+    // Heights are span * (shown - midlevel): Blender's Strength or Scale, and Midlevel.
+    const float span = high > low ? high - low : 1;
+    const float midlevel = (high > low ? 0 : flat_grey) - low / span;
     std::string name = terrain ? "terrain" : request.material;
     std::ranges::replace(name, '-', '_'); // as MaterialX requires
     const auto filled = [&](std::string_view text) {
         return fmt::format(fmt::runtime(text), fmt::arg("name", name), fmt::arg("version", GABOR_VERSION),
-                           fmt::arg("low", unit * heights.first), fmt::arg("high", unit * heights.second),
-                           fmt::arg("width", metres),
+                           fmt::arg("low", low), fmt::arg("high", high), fmt::arg("span", span),
+                           fmt::arg("midlevel", midlevel), fmt::arg("width", metres),
                            fmt::arg("height", metres * request.height / request.width),
                            fmt::arg("columns", request.width), fmt::arg("rows", request.height),
                            fmt::arg("tileable", request.view.tileable));

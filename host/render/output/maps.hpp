@@ -11,7 +11,7 @@
 
 namespace gabor::render {
 
-/// The largest side of maps, in pixels. Maps take 40 bytes of memory per pixel, or 90 with mip levels.
+/// The largest side of maps, in pixels. Maps take 44 bytes of memory per pixel, or 90 with mip levels.
 constexpr int most_map_side = 8192;
 
 /// The sides of maps, in pixels, unless asked for otherwise.
@@ -20,9 +20,9 @@ constexpr int map_side = 2048;
 struct MapFormat {
     bool directx = false; ///< also write normal_directx.png
     bool texture = false; ///< write mip levels to maps.exr; slopes that averaging removes become roughness
-    bool half = false;    ///< store the texture as 16-bit floats
+    bool floats = false;  ///< store 32-bit floats in maps.exr; otherwise only heights have 32 bits
     int normal_bits = 16; ///< of normal.png; 8 bits are dithered
-    std::string compression = "none";  ///< of maps.exr: see image::exr_compressions
+    std::string compression = "rle";   ///< of maps.exr: see image::exr_compressions
     std::optional<double> metres = {}; ///< the width of the maps; if not set, a terrain's extent or 1
 };
 
@@ -48,10 +48,10 @@ std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder
 /// Writes a checked request's material, or terrain from above, as images for other programs: base_color.png
 /// (sRGB), normal.png (OpenGL, 16 bits), height.png (16 bits, from the lowest to the highest point),
 /// roughness.png, metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs
-/// them), maps.exr with all of them, material.mtlx, material.gltf and material.json, which state the size and
-/// the range of heights in metres. The files appear together when all are complete; the folder is created if
-/// there is none. Calls `advance` with the number of pixels in each band. Throws RequestError if the request
-/// has no maps or is too large.
+/// them), maps.exr with all of them and heights in metres, material.mtlx, material.gltf and material.json,
+/// which state the size and the range of heights in metres. The files appear together when all are complete;
+/// the folder is created if there is none. Calls `advance` with the number of pixels in each band. Throws
+/// RequestError if the request has no maps or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const image::Advance& advance);
 

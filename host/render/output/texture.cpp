@@ -71,7 +71,9 @@ image::ExrWriter make_writer(const std::filesystem::path& path, const Request& r
     header.picture = whole;
     const bool tile =
         request.view.tileable && region.width == request.width && region.height == request.height;
-    header.texture = image::ExrHeader::Texture{half, tile};
+    header.texture = image::ExrHeader::Texture{tile};
+    if (half)
+        header.halves = header.channels;
     return {path, header};
 }
 

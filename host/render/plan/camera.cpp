@@ -21,9 +21,11 @@ Camera default_camera(const Request& request) {
 }
 
 std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cells) {
-    const long double far = static_cast<long double>(coordinate.whole) * cells;
-    const long double base = std::floor(far);
-    const double place = static_cast<double>(far - base) + coordinate.part * cells;
+    const double whole = static_cast<double>(coordinate.whole);
+    const double far = whole * cells;
+    const double rounding = std::fma(whole, cells, -far); // whole * cells = far + rounding, exactly
+    const double base = std::floor(far);
+    const double place = (far - base) + rounding + coordinate.part * cells;
     const double carried = std::floor(place);
     const auto cell = static_cast<std::int64_t>(base) + static_cast<std::int64_t>(carried);
     return {static_cast<std::int32_t>(static_cast<std::uint32_t>(cell)), place - carried};

@@ -353,7 +353,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     const bool perspective = !request.view.is_flat();
     auto push = push_of<passes::TerrainPush>(viewport.region);
     push.seed = request.seed;
-    push.cover = request.cover;
+    push.water = static_cast<float>(request.water_level);
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(request));
@@ -379,6 +379,8 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     }
     Constants constants{};
     constants[passes::view_id] = view_constant(request);
+    constants[passes::cover_id] = vulkan::constant(request.cover);
+    constants[passes::lakes_id] = request.water_level > -hill_reach;
     plan.tables = {bytes_of(struct_values(request))};
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }
@@ -399,7 +401,7 @@ void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
     push.second = static_cast<int>(second);
     push.fraction = static_cast<float>(sea.seconds - second);
     push.seed = request.seed;
-    plan.tables = {ocean_table(sea)};
+    plan.tables = {ocean_table(request)};
     plan.steps = {step_of("ocean", Constants{}, push, passes::ocean_group)};
 }
 

@@ -38,7 +38,7 @@ Push push_of(const image::Rect& region) {
 }
 
 /// A sea's GaborOcean, laid out as passes/ocean.comp reads it.
-std::vector<std::byte> ocean_table(const Sea& sea);
+std::vector<std::byte> ocean_table(const Request& request);
 
 /// What the plans of a picture need along an axis.
 struct Side {

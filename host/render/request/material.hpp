@@ -10,13 +10,17 @@
 
 namespace gabor::render {
 
+#define GABOR_MATERIAL(function, Parameters, name) std::string_view(name),
+
 /// The materials of gabor_materials.glsl: the names of its functions without the prefix, with - in place of
 /// _.
-constexpr std::array<std::string_view, 11> materials{"wood", "fabric",        "leather",   "marble",
-                                                     "sand", "brushed-metal", "scratches", "zebra",
-                                                     "bark", "carbon-fibre",  "strata"};
+constexpr std::array materials{
+#include "render/request/material_rows.inc"
+};
 
-/// The parameters of the request's material or erosion, laid out like their struct in a std430 buffer. Holds
+#undef GABOR_MATERIAL
+
+/// The parameters of the request's material, erosion or sea, laid out like their struct in a std430 buffer. Holds
 /// the bits of integers.
 std::vector<float> struct_values(const Request& request);
 

@@ -399,7 +399,10 @@ std::vector<Parameter> terrain_rows() {
             "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
             by_index(
                 [](auto& r) -> auto& { return r.cover; }, covers),
-            {covers.begin(), covers.end()})};
+            {covers.begin(), covers.end()}),
+        row("water_level", Type::number, "", {-hill_reach, hill_reach}, {-hill_reach, 1}, scopes::terrain,
+            "Level of the water of lakes in kernel radii; the least is below all ground",
+            in_request(&Request::water_level))};
 }
 
 // Sea::loop_seconds is 0 or a power of 2 from 8.
@@ -419,20 +422,7 @@ Place seconds_of_loop() {
 }
 
 std::vector<Parameter> sea_rows() {
-    return {row("wind", Type::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
-                "Wind speed 10 m above the sea; the wind blows along +x", in_part(&Request::sea, &Sea::wind)),
-            row("fetch", Type::number, "metres", {1000, 1e6}, {1000, 1e6}, scopes::sea,
-                "Open water upwind: a few kilometres for a lake, 200 km or more for a grown sea",
-                in_part(&Request::sea, &Sea::fetch)),
-            row("swell_height", Type::number, "metres", {0, 30}, {0, 8}, scopes::sea,
-                "Significant height of a swell from a far storm, from trough to crest; 0 for none",
-                in_part(&Request::sea, &Sea::swell_height)),
-            row("swell_period", Type::number, "seconds", {5, 25}, {5, 25}, scopes::sea,
-                "Time from crest to crest of the swell", in_part(&Request::sea, &Sea::swell_period)),
-            row("swell_direction", Type::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::sea,
-                "Where the swell goes: 0 with the wind, along +x, 90 along +y",
-                in_part(&Request::sea, &Sea::swell_direction)),
-            row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
+    return {row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
                 "Time after which the sea repeats exactly, for films: several periods of the swell. "
                 "Periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
@@ -446,6 +436,7 @@ std::vector<Parameter> sea_rows() {
 struct StructRow {
     std::string_view name;
     Type type;
+    std::string_view unit;
     Range range;
     Range slider;
     std::array<double, 3> by_default;
@@ -479,11 +470,13 @@ Parameter struct_row(const StructRow& made) {
     const Scope one_material{fmt::format("--material {}", of),
                              [of](const Request& r) { return is<Kind::material>(r) && r.material == of; }};
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
+                                : of == "sea"    ? std::pair(Group::sea, Scope(scopes::sea))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
                                                  : std::pair(Group::material, one_material);
-    Parameter p = row(made.name, made.type, made.type == Type::angle ? "degrees" : "", made.range,
-                      made.slider, scope, made.help, in_look(made));
+    Parameter p = row(group == Group::sea ? made.name.substr(dot + 1) : made.name, made.type, made.unit,
+                      made.range, made.slider, scope, made.help, in_look(made));
     p.group = group;
+    p.of_struct = true;
     return p;
 }
 
@@ -501,8 +494,8 @@ std::vector<Parameter> make_table() {
     add(Group::view, view_rows());
     add(Group::light, light_rows());
     add(Group::terrain, terrain_rows());
-    add(Group::sea, sea_rows());
     std::ranges::transform(of_structs, std::back_inserter(table), struct_row);
+    add(Group::sea, sea_rows());
     return table;
 }
 
@@ -593,7 +586,7 @@ std::optional<std::array<double, 3>> read_colour(std::string_view text) {
             return {};
         int byte = 0;
         const auto [stop, error] =
-            hexadecimal ? std::from_chars(at, at + 2, byte, 16) : std::from_chars(at, end, part);
+            hexadecimal ? std::from_chars(at, at + 2, byte, 16) : system::from_chars(at, end, part);
         if (error != std::errc() || (hexadecimal && stop != at + 2))
             return {};
         if (hexadecimal)
@@ -725,7 +718,7 @@ Value read(const Parameter& p, std::string_view text) {
         std::int64_t whole = 0;
         const char* end = digits.data() + digits.size();
         const auto [stop, error] = p.type == Type::integer ? std::from_chars(digits.data(), end, whole)
-                                                           : std::from_chars(digits.data(), end, number);
+                                                           : system::from_chars(digits.data(), end, number);
         if (error != std::errc() || stop != end)
             refuse(text, accepted(p));
         if (p.type == Type::integer)
@@ -826,9 +819,13 @@ void drop_conflicting(Request& request, std::string_view name) {
 }
 
 std::vector<float> struct_values(const Request& request) {
-    const Group group = is<Kind::terrain>(request) ? Group::erosion : Group::material;
+    const Group group = is<Kind::terrain>(request) ? Group::erosion
+                        : is<Kind::sea>(request)   ? Group::sea
+                                                   : Group::material;
     std::vector<float> values;
     for (const Parameter& p : parameters()) {
+        if (!p.of_struct)
+            continue;
         const bool of_boards = group == Group::material && p.group == Group::boards;
         const std::optional<Value> value = of_boards          ? p.place.get(request)
                                            : p.group == group ? p.get(request)

@@ -51,6 +51,7 @@ struct Parameter {
     Place place;
     std::vector<std::string_view> choices = {}; ///< the accepted values of a choice
     Group group = Group::picture;
+    bool of_struct = false; ///< a member of a struct of a drop-in
 
     /// Returns the value, or nothing if the request has no such parameter.
     std::optional<Value> get(const Request& request) const {

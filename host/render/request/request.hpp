@@ -95,20 +95,18 @@ struct Fractal {
     bool operator==(const Fractal&) const = default;
 };
 
-/// The waves of a sea. The wind blows along +x.
+/// The time of a sea. Request::look has its waves. The wind blows along +x.
 struct Sea {
-    double wind = 10;            ///< metres per second
-    double fetch = 200000;       ///< metres of open water upwind
-    double swell_height = 0;     ///< significant height in metres, 0 for none
-    double swell_period = 12;    ///< seconds
-    double swell_direction = 60; ///< where it goes: degrees from +x towards +y
-    int loop_seconds = 0;        ///< after which all repeats, a power of 2, or 0
-    double seconds = 0;          ///< time
+    int loop_seconds = 0; ///< after which all repeats, a power of 2, or 0
+    double seconds = 0;   ///< time
     bool operator==(const Sea&) const = default;
 };
 
 /// What can surround a lit surface, as in shaders/passes/light.glsl.
 inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
+
+/// The heights of hills stay within this distance of 0.
+inline constexpr double hill_reach = 2;
 
 /// What can cover terrain, as in shaders/passes/landscape.glsl.
 inline constexpr std::array<std::string_view, 4> covers{"alpine", "meadow", "desert", "badlands"};
@@ -131,15 +129,17 @@ struct Request {
     Kind kind = Kind::noise;
     View view = {};
     std::string material{no_material}; ///< `no_material` unless the kind is a material; see material.hpp
-    std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
-                                                                 ///< that differ from their defaults, by name
+    std::map<std::string_view, std::array<double, 3>> look =
+        {};                      ///< parameters of the material, erosion or sea
+                                 ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     bool boards = false; ///< lay the material as planks or tiles
     Sea sea = {};
     Fractal fractal = {};
-    double extent = 0;      ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
-    int cover = 0;          ///< what covers terrain: an index in `covers`
+    double extent = 0; ///< width of terrain in the unit of heights; 0 gives heights in kernel radii
+    double water_level = -hill_reach; ///< of lakes in kernel radii; this one is below all ground
+    int cover = 0;                    ///< what covers terrain: an index in `covers`
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
@@ -172,9 +172,6 @@ double terrain_unit(const Request& request);
 
 /// The most that a terrain's erosion raises or lowers hills, in kernel radii.
 double erosion_reach(const Request& request);
-
-/// The heights of gabor_terrain stay within this distance of 0, which is six standard deviations.
-inline constexpr double hill_reach = 2;
 
 /// The components, to the right and down, of the unit vector towards the lamp or the sun.
 std::array<double, 2> light_direction(const Request& request);

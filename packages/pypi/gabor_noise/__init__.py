@@ -12,11 +12,12 @@ number or an array, from -10^9 to 10^9 for positions. Positions and parameters b
 positions are; those of materials get coarser far from the origin.
 
 All functions take these keywords:
-    seed     an integer of 32 bits; different seeds give independent noises
+    seed     an integer of 32 bits; different seeds give independent noises. A numpy.random.Generator draws one
     period   units after which the pattern repeats exactly, one number or one for each axis; 0 or None for no repetition
     workers  the number of cores to use, without holding the GIL; None for all
     dtype    of the result: float32, in which values are computed, or float64
-They raise ValueError for a value out of its range and for shapes that do not broadcast, and TypeError for an unknown keyword.
+They raise ValueError for a value out of its range, masked elements and shapes that do not broadcast, and TypeError for an unknown
+keyword.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
+from ._arguments import MEMBERS, Seed, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
@@ -57,7 +58,7 @@ def _axes(shape: Sequence[int], scale: float, *dimensions: int) -> tuple[NDArray
 
 def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
           isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
-          lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
+          lobes: Sequence[Lobe] | None = None, seed: Seed = 0, period: ArrayLike | None = None,
           evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a picture of noise, with one value per pixel: mean 0, variance 1.
 
@@ -81,7 +82,7 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+           seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise in 3D, with one value per voxel: mean 0, variance 1.
 
@@ -96,7 +97,7 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
 
 # ---- Noise ---------------------------------------------------------------------------------------------------------
 
-def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
           period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
@@ -109,14 +110,14 @@ def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation
     return evaluate("noise", locals())
 
 
-def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
                    period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
     return evaluate("gradient", locals())
 
 
-def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: Seed = 0,
                   period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, quadrature) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
@@ -124,7 +125,7 @@ def noise_quadrature(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, 
     return evaluate("quadrature", locals())
 
 
-def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
+def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: Seed = 0,
                     period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of waves in all directions, at the same cost for every frequency. Arguments are those of `noise`."""
@@ -132,7 +133,7 @@ def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, s
 
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                 frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
+                 frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: Seed = 0,
                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of a range of waves, a sum of up to 1024 noises: of 10 for all directions at frequency 2.
@@ -153,7 +154,7 @@ class Lobe(NamedTuple):
     power: ArrayLike = 1.0  # power relative to the other lobes, 0 or more
 
 
-def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
+def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: Seed = 0, period: ArrayLike | None = None,
                 evolution: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
     deviation of 1/sqrt(12) / radius cycles per unit.
@@ -186,7 +187,7 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
 
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                   seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
+                   seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                    workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
@@ -197,7 +198,7 @@ def noise_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, frequen
 
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-             seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+             seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
              dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
@@ -212,7 +213,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
     return evaluate("3d", locals())
 
 
-def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
+def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: Seed = 0,
             period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
             dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
@@ -236,7 +237,7 @@ def _words(given: Mapping[str, Any]) -> list[NDArray[np.float64]]:
 
 def fbm(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
         basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-        seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+        seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
         dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of octaves of noise at (x, y): mean 0, variance 1 at every point.
 
@@ -254,7 +255,7 @@ def fbm(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike
 
 def fbm_gradient(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
                  basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm",
-                 turn: ArrayLike = _TURN, seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
+                 turn: ArrayLike = _TURN, seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None,
                  workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `fbm`."""
     return evaluate("fractal_gradient", locals(), _words(locals()), _PERIOD)
@@ -262,7 +263,7 @@ def fbm_gradient(x: ArrayLike, y: ArrayLike, *, octaves: ArrayLike = 5.0, gain: 
 
 def fbm_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5,
                  lacunarity: ArrayLike = 2.0, basis: Literal["smooth", "perlin"] = "smooth",
-                 shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN, seed: ArrayLike = 0,
+                 shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN, seed: Seed = 0,
                  period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
@@ -275,14 +276,14 @@ def fbm_filtered(x: ArrayLike, y: ArrayLike, pixel_size: ArrayLike, *, octaves: 
 
 def fbm_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
            basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+           seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of octaves of noise at (x, y, z): mean 0, variance 1 at every point. Arguments are those of `fbm`; a period may
     have three numbers."""
     return evaluate("fractal_3d", locals(), _words(locals()), _PERIOD)
 
 
-def perlin(x: ArrayLike, y: ArrayLike, *, seed: ArrayLike = 0, workers: int | None = None,
+def perlin(x: ArrayLike, y: ArrayLike, *, seed: Seed = 0, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise that replaces Perlin and simplex noise: mean 0, variance 1 at every point. x and y are in the cells of Perlin noise,
     so both have the same size; to match its contrast, multiply by 0.25 to 0.3."""
@@ -291,7 +292,7 @@ def perlin(x: ArrayLike, y: ArrayLike, *, seed: ArrayLike = 0, workers: int | No
 
 def warp(x: ArrayLike, y: ArrayLike, *, strength: ArrayLike, octaves: ArrayLike = 5.0, gain: ArrayLike = 0.5, lacunarity: ArrayLike = 2.0,
          basis: Literal["smooth", "perlin"] = "smooth", shape: Literal["fbm", "billow", "ridged"] = "fbm", turn: ArrayLike = _TURN,
-         seed: ArrayLike = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
+         seed: Seed = 0, period: ArrayLike | None = None, evolution: ArrayLike | None = None, workers: int | None = None,
          dtype: DTypeLike = np.float64) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the coordinates (x, y), moved along two noises, at which any noise shows marble, smoke or swirls.
 
@@ -311,7 +312,7 @@ def uniform(noise: ArrayLike, *, workers: int | None = None, dtype: DTypeLike = 
 
 # ---- Terrain -------------------------------------------------------------------------------------------------------
 
-def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
+def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel_size: ArrayLike = 0.0, seed: Seed = 0,
             period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
             **erosion: ArrayLike) -> NDArray[Any]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
@@ -337,13 +338,13 @@ _SLOPE = 0.637  # rms, of the hills of `terrain`, for which parameters are chose
 _OF_MAPS = {"gully_frequency": 1.5, "strength": 0.15, "onset_slope": 2 * _SLOPE, "detail": 2.5, "uniformity": 2.5, "crease_rounding": 0.4}
 
 
-def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None, tileable: bool = False, seed: ArrayLike = 0,
+def erode(heights: ArrayLike, extent: ArrayLike, *, gully_width: float | None = None, tileable: bool = False, seed: Seed = 0,
           workers: int | None = None, dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
     """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
     axis of 4. Gullies follow the map smoothed to their scale. Parameters and defaults are those of `gabor erode`.
 
     heights: an array of at least 3 x 3 heights.
-    extent: the map's width, in the unit of its heights.
+    extent: the map's width, or its width and height, in the unit of its heights.
     gully_width: width of the widest gullies, in the unit of extent, in place of gully_frequency.
     tileable: the map tiles without seams, and so does the result.
     erosion: for any map, these parameters mean what they mean for one that is 8 units wide with an rms slope of 0.637, that of the
@@ -353,7 +354,11 @@ def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None
     here = numbers("heights", heights)
     if here.ndim != 2 or min(here.shape) < 3:
         raise refuse("heights", here, "an array of at least 3 x 3 heights")
-    pixel, unit = 8 / here.shape[1], number("extent", extent) / 8
+    sides = numbers("extent", extent).ravel()
+    if sides.size not in (1, 2) or not np.all(sides > 0):
+        raise refuse("extent", extent, "a width above 0, or a width and a height")
+    tall = sides[-1] / sides[0] * here.shape[1] / here.shape[0] if sides.size == 2 else 1.0
+    pixel, unit = 8 / here.shape[1], float(sides[0]) / 8
     if gully_width is not None:
         if "gully_frequency" in erosion:
             raise TypeError("erode() takes gully_width or gully_frequency, not both")
@@ -361,28 +366,29 @@ def erode(heights: ArrayLike, extent: float, *, gully_width: float | None = None
     chosen = {**_OF_MAPS, **erosion}
     members("terrain", chosen, "erode()")
     frequency = number("gully_frequency", chosen["gully_frequency"])
-    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tileable)
+    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tall, tileable)
     steepness = _SLOPE / (slope / (pixel * unit)) if slope > 0 else 1.0
     if "strength" not in erosion:
         octaves, gain, weight = (float(np.max(chosen.get(name, MEMBERS["terrain"][name].default))) for name in ("octaves", "gain", "gully_weight"))
         most = _OF_MAPS["strength"] / frequency * sum(gain**k for k in range(int(octaves))) * weight * unit / steepness
         chosen["strength"] = _OF_MAPS["strength"] * min(1.0, np.ptp(here) / 8 / most if most > 0 else 1.0)
-    scaled = [each * (steepness / unit / pixel**order) for each, order in zip(surface, (0, 1, 1, 2, 2, 2))]
+    scaled = [each * (steepness / unit / pixel**order / tall**down) for each, order, down in zip(surface, (0, 1, 1, 2, 2, 2), (0, 0, 1, 0, 1, 2))]
     x, y = grid(here.shape, 1 / pixel)
+    y = y * tall
     base = np.stack([*scaled[:3], np.zeros_like(here), *scaled[3:]], -1)
-    period = (8, pixel * here.shape[0]) if tileable else None
-    terrain_there = terrain(x, y, base, pixel_size=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **chosen)
+    period = (8, pixel * tall * here.shape[0]) if tileable else None
+    terrain_there = terrain(x, y, base, pixel_size=(pixel, pixel * tall), seed=seed, period=period, workers=workers, dtype=np.float64, **chosen)
     result = np.empty(terrain_there.shape, float)
     result[..., 0] = here + (terrain_there[..., 0] - scaled[0]) * (unit / steepness)
-    for channel, own in zip((1, 2), sobel(here, tileable)):
-        result[..., channel] = own / (pixel * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
+    for channel, size, own in zip((1, 2), (1, tall), sobel(here, tileable)):
+        result[..., channel] = own / (pixel * size * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
     result[..., 3] = terrain_there[..., 3]
     return result.astype(dtype, copy=False)
 
 
 # ---- Materials -----------------------------------------------------------------------------------------------------
 
-def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0,
+def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0.0, seed: Seed = 0,
              period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
              **parameters: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return a material, as a dict of arrays: colour (red, green and blue along a last axis of 3; linear, 0 to 1), height, slope
@@ -406,38 +412,32 @@ _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrai
 
 # ---- The sea -------------------------------------------------------------------------------------------------------
 
-def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-          fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-          loop_seconds: ArrayLike = 0, pixel_size: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
-          dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
+def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, direction: ArrayLike = 0.0, loop_seconds: ArrayLike = 0,
+          pixel_size: ArrayLike = 0.0, seed: Seed = 0, workers: int | None = None, dtype: DTypeLike = np.float32,
+          **sea: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
     the derivatives of the height by x and y; shift, the horizontal displacement in metres; jacobian, of (x, y) + shift by (x, y): 1 at
-    rest and lower where the water folds, with foam below 0.7; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
-    shift and lost have a last axis.
+    rest and lower where the water folds; lost, the covariance (xx, yy, xy) of the slopes of finer waves; velocity, along x, along y and
+    up, in metres per second. Slope, shift, lost and velocity have a last axis.
 
     x, y: metres. Values equal those of the shader `gabor_ocean.glsl`, wherever and whenever they are.
     seconds: time.
-    wind: metres per second, 10 m up.
-    direction: where the waves go.
-    fetch: metres of open water upwind.
-    swell_height: the significant height in metres of a swell from a far storm, from trough to crest, 0 for none.
-    swell_period: its seconds from crest to crest, 5 to 25.
-    swell_direction: where it goes, as `direction`: from +x towards +y.
+    direction: where the wind and its waves go.
     loop_seconds: the seconds after which all repeats, a power of 2 from 8 to 4096, or 0. Groups of waves then stand still, and each wave's
     period becomes an integer fraction of the loop, which should last several periods of the swell.
     pixel_size: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
+    sea: directions in radians.
     """
-    values = evaluate("water", locals())
+    values = evaluate("water", locals(), members("water", sea, "water()"))
     return {"height": values[..., 0], "slope": values[..., 1:3], "shift": values[..., 3:5], "jacobian": values[..., 5],
-            "lost": values[..., 6:]}
+            "lost": values[..., 6:9], "velocity": values[..., 9:]}
 
 
-def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
-                 fetch: ArrayLike = 2e5, swell_height: ArrayLike = 0.0, swell_period: ArrayLike = 12.0, swell_direction: ArrayLike = np.pi / 3,
-                 loop_seconds: ArrayLike = 0, seed: ArrayLike = 0, workers: int | None = None,
-                 dtype: DTypeLike = np.float32) -> NDArray[Any]:
-    """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
-    return evaluate("water_height", locals())
+def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, direction: ArrayLike = 0.0, loop_seconds: ArrayLike = 0,
+                 seed: Seed = 0, workers: int | None = None, dtype: DTypeLike = np.float32, **sea: ArrayLike) -> NDArray[Any]:
+    """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`:
+    """
+    return evaluate("water_height", locals(), members("water_height", sea, "water_height()"))
 
 
 # ---- Source --------------------------------------------------------------------------------------------------------
@@ -472,17 +472,19 @@ def _describe(kernel: str, defaults: Mapping[str, float] = {}) -> str:
     return "\n".join(lines)
 
 
-def _document(function: Callable[..., object], defaults: Mapping[str, float] = {}) -> None:
-    """Add the members of GaborErosion to a function's signature and help."""
+def _document(function: Callable[..., object], kernel: str, defaults: Mapping[str, float] = {}) -> None:
+    """Add the members of a struct to a function's signature and help."""
     signature = inspect.signature(function)
     function.__signature__ = signature.replace(parameters=[  # type: ignore[attr-defined]
         *list(signature.parameters.values())[:-1],
         *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=defaults.get(name, member.default), annotation="ArrayLike")
-          for name, member in MEMBERS["terrain"].items())])
-    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe('terrain', defaults)}\n"  # type: ignore[union-attr]
+          for name, member in MEMBERS[kernel].items())])
+    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe(kernel, defaults)}\n"  # type: ignore[union-attr]
 
 
-_document(terrain)
-_document(erode, _OF_MAPS)
+_document(terrain, "terrain")
+_document(erode, "terrain", _OF_MAPS)
+_document(water, "water")
+_document(water_height, "water")
 material.__doc__ = f"{material.__doc__.rstrip()}\n\n" + "".join(  # type: ignore[union-attr]
     f"    {name}:\n{_describe(name.replace('-', '_'))}\n" for name in _MATERIALS)

@@ -6,7 +6,7 @@ import importlib
 import math
 import os
 import reprlib
-from typing import Any, Mapping, NamedTuple, Sequence
+from typing import Any, Mapping, NamedTuple, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 _native: Any = importlib.import_module("._native", __package__)
 if _native.HAS_AVX2:
     _native = importlib.import_module("._native_avx2", __package__)
+
+Seed = Union[ArrayLike, np.random.Generator]
 
 # The range of each argument that is a number, or an array of numbers.
 _RANGES: dict[str, tuple[float, float]] = {
@@ -31,11 +33,6 @@ _RANGES: dict[str, tuple[float, float]] = {
     "strength": (-1e6, 1e6),
     "noise": (-math.inf, math.inf),
     "seconds": (-2e9, 2e9),
-    "wind": (2, 30),
-    "fetch": (1e3, 1e6),
-    "swell_height": (0, 30),
-    "swell_period": (5, 25),
-    "swell_direction": (-1e15, 1e15),
     "pixel_size": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
@@ -55,7 +52,7 @@ _RANGES: dict[str, tuple[float, float]] = {
 
 
 class Member(NamedTuple):
-    """A parameter of a material or of erosion: a member of the drop-in's struct."""
+    """A parameter of a material, of erosion or of the sea: a member of the drop-in's struct."""
 
     name: str
     kind: str  # "number", "integer", "angle" in radians, or "colour"
@@ -70,7 +67,7 @@ def _members() -> dict[str, dict[str, Member]]:
     members: dict[str, dict[str, Member]] = {}
     for row, kind, (low, high), about in _native.ROWS:
         owner, _, name = row.rpartition(".")
-        kernel = owner.replace("-", "_") or "terrain"
+        kernel = {"": "terrain", "sea": "water"}.get(owner, owner.replace("-", "_"))
         if kernel not in _native.KERNELS:
             continue
         of = members.setdefault(kernel, {})
@@ -82,6 +79,7 @@ def _members() -> dict[str, dict[str, Member]]:
             low, high = math.radians(low), math.radians(high)
         of[name] = Member(name, kind, low, high, default, about)
     members["eroded"] = members["terrain"]
+    members["water_height"] = members["water"]
     return members
 
 
@@ -93,12 +91,19 @@ def refuse(name: str, value: object, expected: str) -> ValueError:
     return ValueError(f"{name} is {shown}: expected {expected}")
 
 
+def check_mask(name: str, value: object) -> None:
+    """Refuse masked elements, whose mask the result would not have."""
+    if any(np.ma.is_masked(each) for each in (value if isinstance(value, (list, tuple)) else [value])):
+        raise ValueError(f"{name} has masked elements: expected none; fill them, and mask the result")
+
+
 def numbers(name: str, value: ArrayLike, low: float | None = None, high: float | None = None) -> NDArray[np.float64]:
     """Return finite numbers within their range."""
     if low is None or high is None:
         low, high = _RANGES[name]
     span = ("a finite number" if math.isinf(low) else f"a number, {low:g} or more" if math.isinf(high)
             else f"a number from {low:.7g} to {high:.7g}")
+    check_mask(name, value)
     try:
         array = np.asarray("" if value is None else value, np.float64)  # of None, NumPy would make a NaN
     except (TypeError, ValueError):
@@ -112,11 +117,12 @@ def numbers(name: str, value: ArrayLike, low: float | None = None, high: float |
     raise refuse(f"{name}[{', '.join(map(str, place))}]", float(array[place]), span)
 
 
-def seeds(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Return integers of 32 bits, without their sign."""
-    array = np.asarray(value)
+def seeds(name: str, value: Seed) -> NDArray[np.float64]:
+    """Return integers of 32 bits, without their sign. A generator draws one."""
+    check_mask(name, value)
+    array = np.asarray(value.integers(2**32) if isinstance(value, np.random.Generator) else value)
     if array.dtype.kind not in "iu" or (array < -2**31).any() or (array >= 2**32).any():
-        raise refuse(name, value, "an integer of 32 bits, or an array of such integers")
+        raise refuse(name, value, "an integer of 32 bits, an array of such integers, or a numpy.random.Generator")
     return (array.astype(np.int64) & 0xFFFFFFFF).astype(np.float64)
 
 
@@ -162,6 +168,7 @@ def number(name: str, value: ArrayLike) -> float:
 def periods(value: ArrayLike | None, length: int, least: float) -> list[NDArray[np.float64]]:
     """Return a period along each axis, 0 for none."""
     expected = f"a number or one for each axis, 0 for no repetition or {least:g} to 1e+09"
+    check_mask("period", value)
     try:
         array = np.broadcast_to(np.asarray(0.0 if value is None else value, np.float64), length)
     except (TypeError, ValueError):

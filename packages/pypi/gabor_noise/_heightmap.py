@@ -25,16 +25,17 @@ def _splines(pixels: int, spacing: float, tileable: bool) -> tuple[Array, Array,
     return matrices[0], matrices[1], matrices[2]
 
 
-def smoothed(heights: Array, spacing: float, tileable: bool) -> tuple[list[Array], float]:
-    """Return the smoothed map's height, its derivatives d/dx, d/dy, xx, xy and yy per pixel, and its rms slope at the nodes."""
-    down, across = (_splines(side, spacing, tileable) for side in heights.shape)
+def smoothed(heights: Array, spacing: float, tall: float, tileable: bool) -> tuple[list[Array], float]:
+    """Return the smoothed map's height, its derivatives d/dx, d/dy, xx, xy and yy per pixel, and its rms slope at the nodes. Pixels are
+    `tall` times as high as they are wide; the spacing and the rms slope are in their widths."""
+    down, across = (_splines(side, spacing / size, tileable) for side, size in zip(heights.shape, (tall, 1)))
     weights = np.outer(down[0].sum(0), across[0].sum(0))
     nodes = down[0].T @ heights @ across[0] / weights
     surface = [down[y] @ nodes @ across[x].T for x, y in ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))]
     # At a node, the splines of the nodes around it are 1/6, 4/6 and 1/6, and their derivatives -1/2, 0 and 1/2.
     around = np.pad(nodes, (0, 3), "wrap") if tileable else nodes
     blur, power = np.array([1, 4, 1]) / 6, 0.0
-    for turned, side in ((around, heights.shape[1]), (around.T, heights.shape[0])):
+    for turned, side in ((around, heights.shape[1]), (around.T, heights.shape[0] * tall)):
         mean = sum(blur[k] * turned[k:turned.shape[0] - 2 + k] for k in range(3))
         intervals = turned.shape[1] - 3
         power += np.mean((0.5 * (mean[:, 2:] - mean[:, :-2]) * intervals / side) ** 2)

@@ -50,7 +50,7 @@ class Movie(Sequence[NDArray[np.float32]]):
 
 
 def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwidth: float = 1.0, orientation: float = 0.0,
-          orientation_bandwidth: float | None = 0.5, drift_per_frame: float = 1.0, contrast: float = 1.0, seed: int = 0,
+          orientation_bandwidth: float | None = 0.5, drift_per_frame: float = 1.0, contrast: float = 1.0, seed: int | np.random.Generator = 0,
           pixels_per_degree: float | None = None, workers: int | None = None) -> Movie:
     """Return a movie of noise that drifts along `orientation`: float32 arrays of this shape, by index or in a loop. At each pixel and
     frame, the values of all seeds are normally distributed with mean 0 and standard deviation `contrast`. Frames are computed when
@@ -87,7 +87,8 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     lobes = [(float(f), float(towards + angle), float(_LOBE / (lobe * f)), float(share * part))
              for f, share in zip(peak * np.exp(logarithms), shares) for angle, part in zip(angles, parts)]
     pixels = number("drift_per_frame", drift_per_frame) * unit
-    if np.ndim(seed):
+    drawn = seeds("seed", seed)
+    if drawn.ndim:
         raise refuse("seed", seed, "an integer of 32 bits")
     return Movie(sides(shape, 2), count("frames", frames), lobes, (pixels * math.cos(towards), pixels * math.sin(towards)),
-                 number("contrast", contrast), int(seeds("seed", seed)), cores_of(workers))
+                 number("contrast", contrast), int(drawn), cores_of(workers))

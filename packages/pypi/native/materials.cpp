@@ -54,16 +54,13 @@ Kernel kernel(const char* name, const Members& defaults) {
             fill<Members, material, filtered>, values};
 }
 
-#define GABOR_KERNEL(name, Members)                                                                          \
-    kernel<Members, gabor_##name##_at, gabor_##name##_filtered_at>(#name, gabor_##name##_default())
-
 } // namespace
 
 std::vector<Kernel> material_kernels() {
-    return {GABOR_KERNEL(wood, GaborWood),           GABOR_KERNEL(fabric, GaborFabric),
-            GABOR_KERNEL(leather, GaborLeather),     GABOR_KERNEL(marble, GaborMarble),
-            GABOR_KERNEL(sand, GaborSand),           GABOR_KERNEL(brushed_metal, GaborBrushedMetal),
-            GABOR_KERNEL(scratches, GaborScratches), GABOR_KERNEL(zebra, GaborZebra),
-            GABOR_KERNEL(bark, GaborBark),           GABOR_KERNEL(carbon_fibre, GaborCarbonFibre),
-            GABOR_KERNEL(strata, GaborStrata)};
+#define GABOR_MATERIAL(name, Members, option)                                                                \
+    kernel<Members, gabor_##name##_at, gabor_##name##_filtered_at>(#name, gabor_##name##_default()),
+    return {
+#include "material_rows.inc"
+    };
+#undef GABOR_MATERIAL
 }

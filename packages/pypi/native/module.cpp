@@ -184,6 +184,7 @@ const char* const colour = "colour";
 struct Row {
     const char* name;
     const char* kind;
+    const char* unit;
     std::array<double, 2> range, slider;
     std::array<double, 3> standard;
     const char* about;

@@ -5,21 +5,37 @@
 #include "gabor_ocean.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 
 namespace {
 
-const char* const inputs =
-    "x y seconds wind direction fetch swell_height swell_period swell_direction loop_seconds seed ";
-constexpr std::size_t seed_input = 10;
+const char* const inputs = "x y seconds direction loop_seconds seed ";
+constexpr std::size_t seed_input = 5, members = offsetof(GaborSea, direction) / sizeof(float);
 
+// The members of GaborSea that have a range are the block's last inputs.
 GaborOcean ocean_of(const Block& block, std::size_t i) {
-    return gabor_ocean_of(block.in[3][i], block.in[4][i], block.in[5][i],
-                          {block.in[6][i], block.in[7][i], block.in[8][i]}, static_cast<int>(block.in[9][i]));
+    float values[members];
+    for (std::size_t m = 0; m < members; ++m)
+        values[m] = block.in[block.in.size() - members + m][i];
+    GaborSea sea = gabor_sea();
+    std::memcpy(&sea, values, sizeof values);
+    sea.direction = block.in[3][i];
+    sea.loop_seconds = static_cast<int>(block.in[4][i]);
+    return gabor_ocean_of(sea);
+}
+
+std::vector<float> defaults() {
+    const GaborSea sea = gabor_sea();
+    std::vector<float> values(members);
+    std::memcpy(values.data(), &sea, members * sizeof(float));
+    return values;
 }
 
 bool one_ocean(const Block& block) {
-    return std::all_of(block.in.begin() + 3, block.in.begin() + seed_input,
-                       [](const Input& input) { return input.constant; });
+    const auto constant = [](const Input& input) { return input.constant; };
+    return std::all_of(block.in.begin() + 3, block.in.begin() + seed_input, constant) &&
+           std::all_of(block.in.end() - members, block.in.end(), constant);
 }
 
 GaborWater water_at(const Block& block, std::size_t i, double x, double y, gabor_vec2 dx, gabor_vec2 dy,
@@ -37,9 +53,10 @@ void fill_water(const Block& block) {
         const GaborWater water =
             water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
                      {block.in[seed_input + 1][i], 0.0f}, {0.0f, block.in[seed_input + 2][i]}, ocean);
-        const float values[]{water.height,   water.slope.x, water.slope.y, water.shift.x, water.shift.y,
-                             water.jacobian, water.lost.x,  water.lost.y,  water.lost.z};
-        for (std::size_t c = 0; c < 9; ++c)
+        const float values[]{water.height,  water.slope.x,    water.slope.y,    water.shift.x,
+                             water.shift.y, water.jacobian,   water.lost.x,     water.lost.y,
+                             water.lost.z,  water.velocity.x, water.velocity.y, water.velocity.z};
+        for (std::size_t c = 0; c < 12; ++c)
             block.put(c, i, values[c]);
     }
 }
@@ -61,6 +78,6 @@ void fill_height(const Block& block) {
 } // namespace
 
 std::vector<Kernel> ocean_kernels() {
-    return {{"water", std::string(inputs) + "pixel_size.x pixel_size.y ", 9, fill_water, {}},
-            {"water_height", inputs, 1, fill_height, {}}};
+    return {{"water", std::string(inputs) + "pixel_size.x pixel_size.y ", 12, fill_water, defaults()},
+            {"water_height", inputs, 1, fill_height, defaults()}};
 }

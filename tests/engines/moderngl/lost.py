@@ -39,7 +39,7 @@ void main() {
         result = vec4(0.5, 0.6, 0.75, 1.0);
         return;
     }
-    GaborOcean ocean = gabor_ocean_of(7.0, 0.8, 2.0e4, vec3(0.0), 0);
+    GaborOcean ocean = gabor_ocean_of(GaborSea(7.0, 2.0e4, 0.0, 12.0, 0.0, 0.0, 0.8, 0));
     GaborMaterial m = sea(gabor_water_filtered(p, seen(gl_FragCoord.xy + vec2(1.0, 0.0), beside) - p,
                                                seen(gl_FragCoord.xy + vec2(0.0, 1.0), beside) - p, 0.0, ocean, 7u));
     if (!with_lost)

@@ -13,12 +13,13 @@ const wind = 12, seed = 7, side = 200, vertices = 512;
 function uniforms_of(address) {
     const floats = new Float32Array(cpu.memory.buffer, address), ints = new Int32Array(cpu.memory.buffer, address);
     const band = at => ({
-        amplitude: floats[at], slopes: floats.slice(at + 1, at + 3), exponent: ints[at + 3], low: floats[at + 4],
-        early: floats.slice(at + 5, at + 8), late: floats.slice(at + 8, at + 11), spread: floats.slice(at + 11, at + 14),
-        widen: floats.slice(at + 14, at + 16), drift: ints.slice(at + 16, at + 18),
+        amplitude: floats[at], exponent: ints[at + 1], low: floats[at + 2], orbit: floats[at + 3], slopes: floats.slice(at + 4, at + 6),
+        widen: floats.slice(at + 6, at + 8), spread: floats.slice(at + 8, at + 10), blunt: floats[at + 10], rise: floats[at + 11],
+        knots: floats.slice(at + 12, at + 16), faster: floats.slice(at + 16, at + 20), last: floats.slice(at + 20, at + 22),
+        carry: floats.slice(at + 22, at + 24), number: floats.slice(at + 24, at + 26), drift: ints.slice(at + 26, at + 28),
     });
-    return { wind: floats[0], direction: floats[1], fetch: floats[2], swell: floats.slice(3, 6), loop_seconds: ints[6], tail: floats.slice(7, 9),
-             band: Array.from({ length: 10 }, (_, i) => band(9 + 18 * i)) };
+    return { wind: floats[0], direction: floats[1], fetch: floats[2], water_depth: floats[3], swell: floats.slice(4, 7), loop_seconds: ints[7],
+             tail: floats.slice(8, 10), high: floats.slice(10, 12), band: Array.from({ length: 11 }, (_, i) => band(12 + 28 * i)) };
 }
 
 const uniforms = { seconds: { value: 0 }, ocean: { value: uniforms_of(cpu.sea(wind)) } };
@@ -57,7 +58,7 @@ const water = new THREE.ShaderMaterial({
             float glitter = exp(-dot(tilt, tilt) / rough) / (rough * max(facing, 0.1));
             vec3 light = vec3(0.01, 0.06, 0.07) * (0.6 + 0.4 * dot(normal, sun)) * exp(0.4 * w.height);
             light = mix(light, sky(reflect(-ray, normal)), mirrored) + 0.02 * glitter * vec3(1.0, 0.85, 0.6);
-            light = mix(light, vec3(0.8), 0.7 * smoothstep(0.75, 0.6, w.jacobian)); // foam
+            light = mix(light, vec3(0.8), 0.9 * gabor_foam(p, dFdx(p), dFdy(p), w, ocean, ${seed}u));
             float t = length(eye);
             colour = vec4(mix(sky(vec3(0.0)), light, exp(-1.0e-4 * t * t)), 1.0);
             colour.rgb = pow(colour.rgb, vec3(1.0 / 2.2));

@@ -46,7 +46,7 @@ fn sky(ray: vec3f) -> vec3f {{ return mix(vec3f(0.62, 0.72, 0.82), vec3f(0.18, 0
     let mirrored = 0.02 + 0.98 * pow(1.0 - facing, 5.0) / (1.0 + 22.0 * rough);
     let light = mix(vec3f(0.01, 0.05, 0.055), sky(reflect(-ray, normal)), mirrored)
               + 0.02 * exp(-dot(tilt, tilt) / rough) / (rough * max(facing, 0.1)) * vec3f(1.0, 0.85, 0.6);
-    return vec4f(mix(light, vec3f(0.8), 0.7 * smoothstep(0.75, 0.6, w.jacobian)), 1.0);
+    return vec4f(mix(light, vec3f(0.8), 0.9 * gabor_foam(v.rest, dpdx(v.rest), dpdy(v.rest), w, ocean, {SEED}u)), 1.0);
 }}
 
 @vertex fn box(@builtin(vertex_index) i: u32) -> Vertex {{  // two triangles for each of six sides

@@ -1,1 +1,0 @@
-#include "../../translations/gabor_fractal.hlsl"

@@ -1,1 +1,0 @@
-return gabor_noise(Place, Frequency, Orientation, (uint)(int)Seed);
