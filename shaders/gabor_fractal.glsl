@@ -180,15 +180,25 @@ void gabor_impl_normalize_windows(inout vec4 value, inout vec4 slope, float kept
     value *= kept;
 }
 
-GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, uint salt, float variance) {
-    float zero = floor(local), half_width = min(1.5 * sqrt(1.0 + variance / 0.294), 2.0);
-    vec4 d = clamp(local - zero, 0.0, 1.0) + vec4(1.0, 0.0, -1.0, -2.0);
-    vec4 t = clamp(d * (0.25 / half_width), -0.25, 0.25);
-    vec2 t0 = gabor_impl_half_turn(t.x), t1 = gabor_impl_half_turn(t.y);
-    vec2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
-    vec4 cosine = vec4(t0.x, t1.x, t2.x, t3.x), sine = vec4(t0.y, t1.y, t2.y, t3.y);
-    vec4 value = cosine * cosine, slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, sqrt(gabor_impl_kept_even(variance)));
+// One over the half-width of Hann's windows, in node spacings, for a filter.
+float gabor_impl_inverse_width(float variance) {
+    return inversesqrt(min(2.25 + 7.6530612 * variance, 4.0)); // 2.25 / 0.294
+}
+
+// Those windows, not normalized: the sum of their squares is within 1 % of 3/4 of the half-width. The nodes are at
+// -3/2, -1/2, 1/2 and 3/2 times an angle from the middle, which is at the angle of `a`.
+GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, uint salt, float inverse_width) {
+    float zero = floor(local), d = clamp(local - zero, 0.0, 1.0);
+    vec2 a = 0.5 * gabor_impl_half_turn(0.5 * inverse_width * (d - 0.5));
+    vec2 inner = gabor_impl_half_turn(0.25 * inverse_width);
+    float square = 4.0 * inner.x * inner.x;
+    vec2 outer = inner * vec2(square - 3.0, square - 1.0); // the cosine and sine of thrice the angle
+    vec4 cosine = a.x * vec4(outer.x, inner.x, inner.x, outer.x) - a.y * vec4(outer.y, inner.y, -inner.y, -outer.y);
+    vec4 sine = a.y * vec4(outer.x, inner.x, inner.x, outer.x) + a.x * vec4(outer.y, inner.y, -inner.y, -outer.y);
+    vec4 value = 0.5 + cosine, slope = -3.1415927 * inverse_width * sine; // pi
+    bool first = (d + 1.0) * inverse_width < 1.0, last = (2.0 - d) * inverse_width < 1.0;
+    value = vec4(first ? value.x : 0.0, value.yz, last ? value.w : 0.0);
+    slope = vec4(first ? slope.x : 0.0, slope.yz, last ? slope.w : 0.0);
     return GaborImplLine(gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, vec4(0.0),
                          vec4(0.0));
 }
@@ -264,7 +274,13 @@ vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, float evolution) {
 GaborImplLine gabor_impl_nodes(int cell, float local, int period, uint salt, float variance, int basis, bool filtered) {
     GaborImplLine line;
     if (basis == GABOR_PERLIN) line = gabor_impl_perlin_line(cell, local, period, salt, variance);
-    else if (filtered) line = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else if (filtered) {
+        line = gabor_impl_smooth_line_filtered(cell, local, period, salt, gabor_impl_inverse_width(variance));
+        vec4 even = line.even, slope = line.even_slope;
+        gabor_impl_normalize_windows(even, slope, sqrt(gabor_impl_kept_even(variance)));
+        line.even = even;
+        line.even_slope = slope;
+    }
     else line = gabor_impl_smooth_line(cell, local, period, salt);
     return line;
 }
@@ -272,7 +288,10 @@ GaborImplLine gabor_impl_nodes(int cell, float local, int period, uint salt, flo
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
 // pi^2/3 w^-2. Perlin noise's window is a sum of cosines of multiples of pi d / 2.
 vec2 gabor_impl_slope_powers(float variance, bool perlin) {
-    if (!perlin) return vec2(3.2898681 / min(2.25 + 7.6530612 * variance, 4.0), 0.0); // pi^2/3, 2.25 / 0.294
+    if (!perlin) {
+        float inverse_width = gabor_impl_inverse_width(variance);
+        return vec2(3.2898681 * inverse_width * inverse_width, 0.0); // pi^2/3
+    }
     float t = gabor_impl_widening(variance), mean = 0.375 + 0.0625 * t;
     vec3 power = vec3(0.5 + 0.03125 * t, 0.125 - 0.0625 * t, 0.03125 * t);
     power *= power;

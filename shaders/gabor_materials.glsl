@@ -1,7 +1,6 @@
 // gabor_materials.glsl: eleven materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl and, for the filtered forms,
-// gabor_filter.glsl.
+// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl and gabor_fractal.glsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -21,11 +20,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_noise.glsl and gabor_spectrum.glsl before gabor_materials.glsl
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.glsl needs GABOR_TAPS 3
+#if !defined(GABOR_SPECTRUM_GLSL) || !defined(GABOR_FRACTAL_GLSL)
+#error Include gabor_noise.glsl, gabor_spectrum.glsl and gabor_fractal.glsl before gabor_materials.glsl
 #endif
 #ifndef GABOR_MATERIALS_GLSL
 #define GABOR_MATERIALS_GLSL 1
@@ -54,8 +50,9 @@ struct GaborMaterial {
 // GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed)
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
-// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
-// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
+// Far away, their slopes and `lost` have 0.8 to 1.25 times the energy of the plain slopes. `period` is in units of p,
+// vec2(0.0) for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that
+// fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -196,7 +193,7 @@ struct GaborStrata {
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
 // Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// and one that shades them.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 vec3 gabor_impl_times(vec3 a, vec3 b) {
@@ -217,19 +214,32 @@ vec3 gabor_impl_turned_square(vec3 m, vec2 x, vec2 y) {
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
-// filter, and the period, 0 for none. Warps move it and bend the steps.
+// filter, and the period, 0 for none. Warps move it and bend the steps. A warp that a filter removed still steepens
+// slopes: the gradient of position.x has the mean (by_x.x, by_y.x) and the covariance lost_x, as xx, yy, xy; that of
+// position.y has lost_y, and nearly no covariance with the other.
 struct GaborImplPixel {
     vec2 position;
     vec2 by_x;
     vec2 by_y;
+    bool filtered;
     vec2 dx;
     vec2 dy;
     vec2 period;
+    vec3 lost_x;
+    vec3 lost_y;
 };
 
-GaborImplPixel gabor_impl_pixel_at(vec2 p, vec2 dx, vec2 dy, vec2 period) {
+GaborImplPixel gabor_impl_pixel(bool filtered, vec2 p, vec2 dx, vec2 dy, vec2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : vec2(0.0);
-    return GaborImplPixel(p, vec2(1.0, 0.0), vec2(0.0, 1.0), dx, dy, period);
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = vec2(1.0e3, 0.0);
+        dy = vec2(0.0, 1.0e3);
+    }
+    return GaborImplPixel(p, vec2(1.0, 0.0), vec2(0.0, 1.0), filtered, dx, dy, period, vec3(0.0), vec3(0.0));
+}
+
+GaborImplPixel gabor_impl_point(vec2 p, vec2 period) {
+    return gabor_impl_pixel(false, p, vec2(0.0), vec2(0.0), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -247,38 +257,41 @@ GaborPlace gabor_impl_place(GaborImplPixel at, vec2 density) {
     return gabor_place_at(density * at.position);
 }
 
-uvec3 gabor_impl_three_line_words(int index, int period, uint salt) {
-    int first = gabor_impl_wrap(index, period), second = gabor_impl_next_node(first, period);
-    return uvec3(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
+// Adds a row of three nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+void gabor_impl_add_spots(inout vec2 value, inout vec4 slope, GaborImplLine x, uint word, float even,
+                          float even_slope) {
+    uvec4 words = x.word * word;
+    vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
+    vec2 row = x.even.x * a + x.even.y * b + x.even.z * c;
+    value += even * row;
+    slope += vec4(even * (x.even_slope.x * a + x.even_slope.y * b + x.even_slope.z * c), even_slope * row);
 }
 
-// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
-void gabor_impl_add_spots(inout vec2 value, inout vec4 slope, uvec3 words, vec4 x, vec4 slope_x, float y,
-                          float slope_y) {
-    vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
-    vec2 row = x.x * a + x.y * b + x.z * c;
-    value += y * row;
-    slope += vec4(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
+// Adds a row of four nodes.
+void gabor_impl_add_four_spots(inout vec2 value, inout vec4 slope, GaborImplLine x, uint word, float even,
+                               float even_slope) {
+    gabor_impl_add_spots(value, slope, x, word, even, even_slope);
+    vec2 d = gabor_impl_amplitude(x.word.w * word), last = x.even.w * d;
+    value += even * last;
+    slope += vec4(even * x.even_slope.w * d, even_slope * last);
+}
+
+GaborField gabor_impl_spots_field(vec2 value, vec4 slope, float scale, vec2 stretch) {
+    return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
 // Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
 GaborField gabor_impl_spots(GaborPlace place, uint seed) {
-    vec2 zero = floor(place.local + 0.5), offset = clamp(place.local - zero, -0.5, 0.5);
     uint salt = gabor_impl_salt(seed);
-    uvec3 columns = gabor_impl_three_line_words(place.cell.x + int(zero.x) - 1, place.period.x, salt);
-    uvec3 rows = gabor_impl_three_line_words(place.cell.y + int(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
-    vec4 x, y, slope_x, slope_y;
-    gabor_impl_windows(offset.x, x, slope_x);
-    gabor_impl_windows(offset.y, y, slope_y);
+    GaborImplLine x = gabor_impl_smooth_line(place.cell.x, place.local.x, place.period.x, salt);
+    GaborImplLine y = gabor_impl_smooth_line(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS);
     vec2 value = vec2(0.0);
     vec4 slope = vec4(0.0);
-    gabor_impl_add_spots(value, slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    vec2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
+    return gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
@@ -292,15 +305,31 @@ vec4 gabor_impl_radii(GaborImplPixel at, vec2 density) {
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, vec2 density, vec2 amplitude, uint seed, int index) {
     vec4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
+    vec2 whole = amplitude * amplitude;
     amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
+    vec3 lost_x = vec3(0.0), lost_y = vec3(0.0);
+    if (at.filtered) {
+        vec2 power = 3.2898681 * density * density; // pi^2 / 3, the noises' mean square gradient
+        vec3 lost = power.x * (gabor_impl_square(vec2(at.by_x.x, at.by_y.x)) + at.lost_x)
+                  + power.y * (gabor_impl_square(vec2(at.by_x.y, at.by_y.y)) + at.lost_y);
+        whole -= amplitude * amplitude;
+        lost_x = (1.0 + along_x.x) * (1.0 + along_x.x) * at.lost_x + along_y.x * along_y.x * at.lost_y + whole.x * lost;
+        lost_y = along_x.y * along_x.y * at.lost_x + (1.0 + along_y.y) * (1.0 + along_y.y) * at.lost_y + whole.y * lost;
+    }
     return GaborImplPixel(at.position + amplitude * vec2(field.quadrature, field.noise),
                           at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
-                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y, at.filtered,
                           at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period, lost_x, lost_y);
+}
+
+// The covariance of the slopes in the plane that warps lost of a layer or profile, whose slopes along the warped axes
+// have these mean squares.
+vec3 gabor_impl_warp_lost(GaborImplPixel at, vec2 power) {
+    return power.x * at.lost_x + power.y * at.lost_y;
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -328,8 +357,9 @@ GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * vec2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel(vec2(dot(x, at.position), dot(y, at.position)), vec2(dot(x, at.by_x), dot(y, at.by_x)),
-                          vec2(dot(x, at.by_y), dot(y, at.by_y)), vec2(dot(x, at.dx), dot(y, at.dx)),
-                          vec2(dot(x, at.dy), dot(y, at.dy)), period);
+                          vec2(dot(x, at.by_y), dot(y, at.by_y)), at.filtered,
+                          vec2(dot(x, at.dx), dot(y, at.dx)), vec2(dot(x, at.dy), dot(y, at.dy)), period,
+                          x.x * x.x * at.lost_x + x.y * x.y * at.lost_y, y.x * y.x * at.lost_x + y.y * y.y * at.lost_y);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -347,10 +377,9 @@ float gabor_impl_sine_kept(GaborImplPixel at, float count) {
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
 
-// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
-// `amplitude`, to pair `slot` of a material.
+// A noise with `density` kernel radii per unit along x and y, a wave vector per kernel radius, and its amplitude in a
+// sum.
 struct GaborImplLayer {
-    int slot;
     GaborImplPixel at;
     vec2 density;
     vec2 wave;
@@ -359,13 +388,13 @@ struct GaborImplLayer {
 };
 
 // A layer of frequency 0.
-GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, vec2 density, uint seed, int index) {
-    return GaborImplLayer(slot, at, density, vec2(0.0), 1.0, gabor_derived_seed(seed, index));
+GaborImplLayer gabor_impl_spots_layer(GaborImplPixel at, vec2 density, uint seed, int index) {
+    return GaborImplLayer(at, density, vec2(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
-GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density, float frequency, float orientation,
+GaborImplLayer gabor_impl_waves_layer(GaborImplPixel at, vec2 density, float frequency, float orientation,
                                       uint seed, int index) {
-    return GaborImplLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+    return GaborImplLayer(at, density, gabor_wave_vector(frequency, orientation), 1.0,
                           gabor_derived_seed(seed, index));
 }
 
@@ -373,7 +402,7 @@ GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, vec2 density,
 GaborImplLayer gabor_impl_octave(GaborImplPixel at, vec2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
-    return GaborImplLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0),
+    return GaborImplLayer(at, density * exp2(1.0214797 * float(i)), vec2(0.0),
                           pow(gain, float(i)) * inversesqrt(power), gabor_derived_seed(seed, i));
 }
 
@@ -404,11 +433,15 @@ GaborImplPairs gabor_impl_no_pairs() {
     return GaborImplPairs(none, none, none, none, none);
 }
 
-GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, vec3 lost) {
+// `whole` is the covariance of the plain field's gradient, and `left` what is left of it.
+GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, vec3 whole, vec3 left) {
     vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    vec3 lost = vec3(0.0);
+    if (layer.at.filtered)
+        lost = gabor_impl_turned_square(whole - left, x, y)
+             + gabor_impl_warp_lost(layer.at, layer.density * layer.density * whole.xy);
     return GaborImplPair(vec3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                         vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                         gabor_impl_turned_square(lost, x, y));
+                         vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed, lost);
 }
 
 GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
@@ -417,8 +450,26 @@ GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float ampli
                          sum.lost + amplitude * amplitude * pair.lost);
 }
 
+// What a filter does to a layer. Nearly, the window of a node is a Gaussian of variance v = 3/(2 pi^2), and its wave
+// exp(2 pi i F.d). A filter of covariance S widens the window to v + S, turns the wave vector F into
+// K = (1 + S/v)^-1 F, and leaves the share exp(-6 F.(F - K)) / sqrt(|1 + S/v|) of the variance.
+struct GaborImplKept {
+    vec2 wave;
+    float share;
+    vec2 widened; // S/v along x and y
+};
+
+GaborImplKept gabor_impl_kept(GaborImplLayer layer) {
+    vec4 steps = gabor_impl_radii(layer.at, layer.density);
+    vec3 s = 1.6449341 * (gabor_impl_square(steps.xy) + gabor_impl_square(steps.zw)); // pi^2 / 6
+    float d = (1.0 + s.x) * (1.0 + s.y) - s.z * s.z;
+    vec2 wave = ((1.0 + s.yx) * layer.wave - s.z * layer.wave.yx) / d;
+    return GaborImplKept(wave, exp(-6.0 * dot(layer.wave, layer.wave - wave)) * inversesqrt(d), s.xy);
+}
+
 GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
-    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), vec3(0.0));
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), vec3(0.0),
+                           vec3(0.0));
 }
 
 // A sum and an octave of it.
@@ -428,193 +479,52 @@ GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLayer layer) {
 
 GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
-                           vec3(0.0));
+                           vec3(0.0), vec3(0.0));
 }
 
-#ifdef GABOR_FILTER_GLSL
-// ---- Filtered spots: see gabor_filter.glsl, with real windows ------------------------------------------------------
-
-// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
-// derivatives of both.
-vec4 gabor_impl_spots_node(float value, float slope, float damped, vec2 fade) {
-    float window = 0.5 + damped * (value - 0.5);
-    // 9.8696044 is pi^2
-    return vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
-                -9.8696044 * fade.x * (window - 0.5));
-}
-
-// The nodes of an axis with its words.
-struct GaborImplSpotsAxis {
-    uvec3 word;
-    vec4 first;
-    vec4 middle;
-    vec4 last;
-};
-
-GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
-    float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
-    float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05); // pi^2 / 2
-    vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-offset, offset)) / width, 0.0, 1.0); // 1/3, 2/3
-    vec2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * vec2(-1.0, 1.0);
-    vec4 value, slope;
-    gabor_impl_windows(offset, value, slope);
-    return GaborImplSpotsAxis(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                              gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
-                              gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
-                              gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
-}
-
-// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborImplSpotsAxis x, uint word, vec4 y,
-                              float coupling) {
-    vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
-    vec2 c = gabor_impl_amplitude(x.word.z * word);
-    vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
-    vec4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
-    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z)
-         + coupling * y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * vec2(real.x, imaginary.x) + coupling * y.w * vec2(real.y, imaginary.y);
-}
-
-// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborImplSpotsLine {
-    uint word;
-    vec3 window;
-    vec2 fade;
-};
-
-// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-vec2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
-    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
-    return t * vec2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
-}
-
-GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
-    vec2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
-    vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
-    float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborImplSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              vec3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
-}
-
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
-// derivative of its fade.
-struct GaborImplSpotsRow {
-    vec3 real;
-    vec3 imaginary;
-    vec2 edge;
-};
-
-void gabor_impl_add_spot(inout GaborImplSpotsRow row, GaborImplSpotsLine x, uint row_word) {
-    vec2 a = gabor_impl_amplitude(x.word * row_word);
-    row.real += x.fade.x * a.x * x.window;
-    row.imaginary += x.fade.x * a.y * x.window;
-    row.edge += x.fade.y * x.window.x * a;
-}
-
-GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint salt) {
-    vec2 m = s.xy + 0.13069097; // 1/3 - 2/pi^2
-    float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
-    float mixed = 78.956835 * s.z * r / (1.0 + r); // 8 pi^2
-    GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                            place.period.x, salt, vec2(1.0, 0.0));
-    GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
-    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
-    if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
-    vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), edge_x = vec2(0.0), edge_y = vec2(0.0);
-    int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
-    do {
-        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborImplSpotsRow row = GaborImplSpotsRow(vec3(0.0), vec3(0.0), vec2(0.0));
-        gabor_impl_add_spot(row, x_0, y.word);
-        gabor_impl_add_spot(row, x_1, y.word);
-        gabor_impl_add_spot(row, x_2, y.word);
-        gabor_impl_add_spot(row, x_3, y.word);
-        if (across.count == 5) gabor_impl_add_spot(row, x_4, y.word);
-        vec3 w = vec3(1.0, mixed, 0.5 * mixed * mixed) * y.window;
-        vec2 sum = vec2(dot(w, row.real), dot(w, row.imaginary));
-        value += y.fade.x * sum;
-        next_x += y.fade.x * (w.x * vec2(row.real.y, row.imaginary.y) - w.y * vec2(row.real.z, row.imaginary.z));
-        next_y += y.fade.x * (y.window.y * vec2(row.real.x, row.imaginary.x)
-                              - mixed * y.window.z * vec2(row.real.y, row.imaginary.y));
-        edge_x += y.fade.x * w.x * row.edge;
-        edge_y += y.fade.y * sum;
-    } while (++j < rows);
-    vec2 before = lambda * sqrt(m.yx / m);
-    // 6.2831853 is 2 pi
-    vec2 x = edge_x - 6.2831853 * (next_x - before.x * next_y), y = edge_y - 6.2831853 * (next_y - before.y * next_x);
-    float scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField(scale * value.y, scale * vec2(x.y, y.y), scale * value.x, scale * vec2(x.x, y.x), 0.0);
-}
-
-GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
-    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y =
-        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
-    vec4 sum = vec4(0.0);
-    vec2 along_y = vec2(0.0);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.y, y.middle, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.z, y.last, s.z);
-    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField(scale * sum.y, scale * vec2(sum.w, along_y.y), scale * sum.x, scale * vec2(sum.z, along_y.x),
-                      0.0);
-}
-
-// The same as gabor_field_filtered with the wave vector 0.
-GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint seed) {
-    vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
-    float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(vec2(0.0), footprint.covariance);
-    float amplitude = sqrt(kept / gabor_impl_transmitted(vec2(0.0), footprint.resolved));
-    GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
-    uint salt = gabor_impl_salt(seed);
-    if (wide < 1.0)
-        gabor_impl_add_field(sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0 - wide) * amplitude,
-                             stretch);
-    if (wide > 0.0)
-        gabor_impl_add_field(sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0, salt), wide * amplitude,
-                             stretch);
-    sum.removed = 1.0 - kept;
-    return sum;
-}
-
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
-// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
-// (1 + 2/3 pi^2 S)^-1 F.
-GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
-    vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance; // 2/3 pi^2
-    vec3 inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
-    inverse /= inverse.x * inverse.y - a.z * a.z;
-    vec3 whole = vec3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
-    vec3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
-    return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
-}
-
-GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
-    GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
-}
-
+// The same, filtered with the windows of gabor_fractal.glsl.
 GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
+    GaborImplKept kept = gabor_impl_kept(layer);
+    // 0.34195899 is 27/(8 pi^2)
+    vec2 inverse_width = vec2(gabor_impl_inverse_width(0.34195899 * kept.widened.x),
+                              gabor_impl_inverse_width(0.34195899 * kept.widened.y));
+    uint salt = gabor_impl_salt(layer.seed);
+    GaborImplLine x =
+        gabor_impl_smooth_line_filtered(place.cell.x, place.local.x, place.period.x, salt, inverse_width.x);
+    GaborImplLine y = gabor_impl_smooth_line_filtered(place.cell.y, place.local.y, place.period.y,
+                                                      salt ^ GABOR_IMPL_ROWS, inverse_width.y);
+    // 1.7777778 is 16/9: see gabor_impl_smooth_line_filtered
+    float scale = sqrt(1.7777778 * kept.share * inverse_width.x * inverse_width.y) / GABOR_IMPL_DEVIATION;
+    vec2 value = vec2(0.0);
+    vec4 slope = vec4(0.0);
+    gabor_impl_add_four_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_four_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_four_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
+    gabor_impl_add_four_spots(value, slope, x, y.word.w, y.even.w, y.even_slope.w);
+    GaborField field = gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius);
+    field.removed = 1.0 - kept.share;
+    // 3.2898681 is pi^2 / 3 and 7.4022033 is 3/4 pi^2; the plain windows have a half-width of 3/2
+    return gabor_impl_pair(layer, field, vec3(3.2898681, 3.2898681, 0.0),
+                           vec3(7.4022033 * kept.share * inverse_width * inverse_width, 0.0));
 }
 
-void gabor_impl_add_filtered_spots(inout GaborImplPairs sum, GaborImplLayer layer) {
-    GaborImplPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
-    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
+GaborImplPair gabor_impl_plus_filtered_octave(GaborImplPair sum, GaborImplLayer layer) {
+    return gabor_impl_plus(sum, gabor_impl_filtered_spots(layer), layer.amplitude);
 }
-#endif
+
+// Filtered waves have the plain windows: where others would fit better, little is left.
+GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
+    GaborImplKept kept = gabor_impl_kept(layer);
+    GaborField field = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
+    gabor_impl_add_field(field, gabor_field(gabor_impl_place(layer.at, layer.density), kept.wave, layer.seed),
+                         sqrt(kept.share), vec2(1.0));
+    field.removed = 1.0 - kept.share;
+    // 3.2898681 is pi^2 / 3 and 39.478418 is 4 pi^2
+    vec3 spots = vec3(3.2898681, 3.2898681, 0.0);
+    return gabor_impl_pair(layer, field, spots + 39.478418 * gabor_impl_square(layer.wave),
+                           kept.share * (spots + 39.478418 * gabor_impl_square(kept.wave)));
+}
 
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
@@ -635,6 +545,11 @@ vec3 gabor_impl_above(vec3 noise, float removed, float threshold, float softness
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
 float gabor_impl_removed_square(float square, float mean, float removed) {
     return removed > 0.0 ? max(square - mean * mean, 0.0) : 0.0;
+}
+
+// The variance that the filter removed of the threshold itself, nearly.
+float gabor_impl_above_variance(float above, float removed, float softness) {
+    return above * (1.0 - above) * removed / (removed + 1.5 * softness * softness);
 }
 
 // The covariance of its slopes that the filter removed.
@@ -672,15 +587,19 @@ vec2 gabor_impl_tone(float noise, float removed, float contrast) {
 
 // The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
 // distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
-// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+// sqrt(r). Where d > 3, this is nearly the mean of c X: if all of a colour is so dark, only its first part gets the
+// rest. Materials mix colours after this, so that means remain right.
 vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
     vec3 mean = colour * exp(tone.x + 0.5 * tone.y);
     if (tone.y > 0.0) {
         float s = sqrt(tone.y);
-        vec3 d = (-tone.x - log(max(colour, 1.0e-6))) / s;
-        if (min(min(d.x, d.y), d.z) < 3.0)
-            for (int i = 0; i < 3; ++i)
-                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+        int parts = max(max(colour.x, colour.y), colour.z) * exp(tone.x + 3.0 * s) > 1.0 ? 3 : 1, i = 0;
+        do { // a loop, because drivers for CPUs run both sides of a branch
+            float d = (-tone.x - log(max(colour.x, 1.0e-6))) / s;
+            mean = vec3(mean.yz, mean.x * gabor_impl_below(d - s) + 1.0 - gabor_impl_below(d));
+            colour = colour.yzx;
+        } while (++i < parts);
+        if (parts == 1) mean = mean.zxy;
     }
     return min(mean, 1.0);
 }
@@ -733,8 +652,8 @@ GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood wood, uint seed)
 
 // Pores, fibres and tone.
 GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, uint seed) {
-    if (i == 2) return gabor_impl_spots_layer(2, board, vec2(3.5, 0.35), seed, 5);
-    return gabor_impl_spots_layer(i, pixel, i == 0 ? vec2(90.0, 4.5) : vec2(150.0, 2.0), seed, 3 + i);
+    if (i == 2) return gabor_impl_spots_layer(board, vec2(3.5, 0.35), seed, 5);
+    return gabor_impl_spots_layer(pixel, i == 0 ? vec2(90.0, 4.5) : vec2(150.0, 2.0), seed, 3 + i);
 }
 
 GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, uint seed) {
@@ -742,8 +661,8 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
     float rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
     vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
-    vec3 ring = gabor_impl_rise(years, vec3(kept, 0.0, 0.0));
-    vec3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
+    vec3 rise = gabor_impl_rise(vec3(years.x, 1.0, 0.0), vec3(kept, 0.0, 0.0)), ring = vec3(rise.x, rise.y * years.yz);
+    vec3 open = gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25), pores = wood.pore_strength * open;
     vec3 within = vec3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
@@ -753,17 +672,21 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
         + late * gabor_impl_toned(wood.latewood_colour, tones)
                 + 0.45 * deep.x * wood.latewood_colour;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
-    // Mean square.
+    // Mean squares: of the depth of pores, and of the height's derivative by the rings.
     float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
         * (within.x * within.x + 0.05 * (1.0 - kept * kept));
-    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+    float by_ring = 0.0006 + 0.0018 * pores.x, spread = 3.24e-6 * wood.pore_strength * wood.pore_strength
+        * gabor_impl_above_variance(open.x, of.pair_0.removed, 0.25);
+    float steep = gabor_impl_rise_lost(years.x, kept, 0.97), all_steep = gabor_impl_rise_lost(0.0, 0.0, 0.97);
+    vec3 lost = ((by_ring * by_ring + spread) * steep + spread * rise.y * rise.y) * gabor_impl_square(years.yz)
+              + (by_ring * by_ring + spread) * all_steep * gabor_impl_warp_lost(board, vec2(rings * rings, 0.0))
               + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
 GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -774,7 +697,7 @@ GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
-// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
+// The filters of weaves and of leather average samples, and fade to measured means where samples are too few.
 
 // The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
 // dy are the pixel's sides.
@@ -782,14 +705,16 @@ float gabor_impl_sample_spread(vec2 dx, vec2 dy) {
     return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
 
-// The number of samples for that standard deviation.
-int gabor_impl_samples(float spread) {
-    return spread > 0.001 ? 16 : 1;
+// The number of samples for that standard deviation, 4 or `most`, if they have the share `kept` in the result.
+int gabor_impl_samples(float spread, float kept, int most) {
+    return spread < 0.001 || kept == 0.0 ? 1 : spread < 0.12 ? 4 : most;
 }
 
-// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+// Sample i of 4, 8 or 12 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
 vec2 gabor_impl_sample(int i, int count) {
-    vec2 at = 0.125 * vec2(float(i), float((7 * i + 10) % 16)) - 0.9375;
+    int j = count > 8 ? (5 * i + 4) % 13 : count > 4 ? (5 * i + 2) % 8 : (2 * i + 1) % 5;
+    vec2 at = vec2(float(i), float(j)) * (2.0 / float(count));
+    at -= 1.0 - 1.0 / float(count);
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : vec2(0.0);
 }
 
@@ -797,7 +722,8 @@ vec2 gabor_impl_sample(int i, int count) {
 // slopes' squares, and becomes their covariance, which fades to `square`.
 void gabor_impl_average(inout vec3 height, inout vec3 lost, int count, float kept, float mean, vec3 square) {
     height = kept / float(count) * height + vec3((1.0 - kept) * mean, 0.0, 0.0);
-    lost = count > 1 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz) : vec3(0.0);
+    lost = count > 1 || kept == 0.0 ? mix(square, lost / float(count), kept) - gabor_impl_square(height.yz)
+                                    : vec3(0.0);
 }
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
@@ -810,7 +736,7 @@ GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric fabric, uint s
 GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, vec2 count, uint seed) {
     vec2 density = i == 0 ? vec2(0.7 * count.x, 1.1) : i == 1 ? vec2(1.1, 0.7 * count.y)
                  : i == 2 ? vec2(14.0, 2.0) * count : vec2(2.0, 14.0) * count;
-    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
@@ -851,7 +777,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
     vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
         weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         vec3 x = at_x + vec3(offset.x, 0.0, 0.0), y = at_y + vec3(offset.y, 0.0, 0.0);
@@ -895,7 +821,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
 }
 
 GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -912,21 +838,21 @@ GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, uint seed) {
 
 // The fibres of tows along y and x.
 GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, vec2 count, uint seed) {
-    return gabor_impl_spots_layer(i, cloth, (i == 0 ? vec2(20.0, 0.6) : vec2(0.6, 20.0)) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, (i == 0 ? vec2(20.0, 0.6) : vec2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     vec2 dx = count * cloth.dx, dy = count * cloth.dy;
-    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 0.9, spread);
     float unit = fibres.relief / fibres.tows;
     vec3 warp = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
     vec3 weft = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     vec3 height = vec3(0.0), colour = vec3(0.0), lost = vec3(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         vec3 x = at_x + vec3(offset.x, 0.0, 0.0), y = at_y + vec3(offset.y, 0.0, 0.0);
@@ -954,7 +880,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
 }
 
 GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -978,9 +904,9 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(0.8), seed, 5);
+    if (i == 3) return gabor_impl_spots_layer(pixel, vec2(0.8), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
-    return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
+    return gabor_impl_waves_layer(skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
@@ -1009,10 +935,10 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     vec2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
     vec2 dx = vec2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     vec2 dy = vec2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
-    float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-30.0 * spread * spread);
+    float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-60.0 * spread * spread);
     float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0, grains = 0.0;
     vec3 height = vec3(0.0), lost = vec3(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 12);
     for (int i = 0; i < samples; ++i) {
         vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         vec2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
@@ -1031,7 +957,9 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    vec3 square = leather.cells * leather.cells * vec3(0.0027, 0.0024, -0.00012);
+    vec3 square = leather.cells * leather.cells * vec3(0.00235, 0.00194, -0.0001); // along the skin's axes
+    vec3 warped = gabor_impl_warp_lost(skin, square.xy);
+    square = gabor_impl_turned_square(square, skin.by_x, skin.by_y);
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / float(samples), kept);
@@ -1039,12 +967,13 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
     vec3 colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                       share);
-    lost = leather.relief * leather.relief * (lost + mix(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
+    lost += warped + mix(3.67e-6, grains / float(samples), kept) * of.pair_0.lost;
+    lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1068,10 +997,10 @@ GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint s
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
     if (i < 3) return gabor_impl_octave(stone, vec2(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 9);
+    if (i == 3) return gabor_impl_spots_layer(pixel, vec2(75.0), seed, 9);
     vec3 vein = i == 4 ? vec3(1.9, 0.95, -0.45) : i == 5 ? vec3(0.95, 0.85, 0.65)
               : i == 6 ? vec3(4.5, 0.95, 0.95) : vec3(13.0, 0.9, 0.2);
-    return gabor_impl_waves_layer(2, stone, vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
+    return gabor_impl_waves_layer(stone, vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
@@ -1096,7 +1025,7 @@ void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, 
 }
 
 GaborMaterial gabor_marble_at(vec2 p, vec2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1120,8 +1049,8 @@ GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
 // Three octaves of large shapes, grains, and ripples.
 GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, vec2(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, vec2(75.0), seed, 3);
-    return gabor_impl_waves_layer(2, dune, vec2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
+    if (i == 3) return gabor_impl_spots_layer(pixel, vec2(75.0), seed, 3);
+    return gabor_impl_waves_layer(dune, vec2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
 GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
@@ -1148,14 +1077,22 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     vec3 bent = vec3(0.4 * ripples.density * ripples.density, 0.0);
     vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    vec3 warped = gabor_impl_warp_lost(
+        ripples.at, ripples.density * ripples.density * (0.4 + ripples.wave * ripples.wave));
+    // Mean squares of factors; 0.0888889 is 4/45, the variance of a ripple.
+    float high = tall.x * tall.x + 0.04 * sand.ripple_height * sand.ripple_height * of.pair_0.removed;
+    float by_shape = 0.03 + 0.2 * sand.ripple_height * ripple.x;
+    float varied = 0.04 * sand.ripple_height * sand.ripple_height * 0.0888889 * (1.0 - span * span / 0.81);
     // 7.65625e-5 is 0.00875^2
-    vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
+    vec3 lost = high * (gabor_impl_rise_lost(phase.x, span, 0.9) * square
+                        + gabor_impl_rise_lost(0.0, 0.0, 0.9) * warped)
+              + (by_shape * by_shape + varied) * of.pair_0.lost
+              + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
 GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1172,7 +1109,7 @@ GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
 GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
     if (i >= 5) return gabor_impl_octave(pixel, vec2(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5));
     vec2 density = vec2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
-    return gabor_impl_spots_layer(0, pixel, density, seed, i);
+    return gabor_impl_spots_layer(pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
@@ -1211,7 +1148,7 @@ GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs o
 }
 
 GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal metal, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1234,7 +1171,7 @@ GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScra
     // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, vec2(0.3, 0.1), vec2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+    return gabor_impl_spots_layer(at, vec2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
                                   2 * i + 1);
 }
 
@@ -1248,8 +1185,10 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz;
     float change = gabor_impl_above(vec3(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
-    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
-    sum.lost += 1.15 * size * size * (open.x * open.x + change * change * noise.removed)
+    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
+    // a normal law: a fit to amounts from 0.01 to 8.
+    float rare = threshold / 3.85, rarer = rare * rare * rare * rare;
+    sum.lost += 1.2 / (1.0 + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
               * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
 }
 
@@ -1261,7 +1200,7 @@ GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) 
 }
 
 GaborMaterial gabor_scratches_at(vec2 p, vec2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1284,9 +1223,9 @@ float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint 
 GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
                                       GaborZebra zebra, uint seed) {
     // 2.0707963 is 0.5 + pi/2
-    if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
-    if (i == 1) return gabor_impl_spots_layer(1, pixel, vec2(1.2), seed, 4);
-    return gabor_impl_waves_layer(2, skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
+    if (i == 0) return gabor_impl_spots_layer(gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
+    if (i == 1) return gabor_impl_spots_layer(pixel, vec2(1.2), seed, 4);
+    return gabor_impl_waves_layer(skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
 GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
@@ -1305,7 +1244,7 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_zebra_at(vec2 p, vec2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1328,9 +1267,9 @@ GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, vec2(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, at, vec2(1.1, 0.7), seed, 6);
-    if (i == 6) return gabor_impl_waves_layer(2, trunk, vec2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
-    return gabor_impl_waves_layer(3, trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
+    if (i == 5) return gabor_impl_spots_layer(at, vec2(1.1, 0.7), seed, 6);
+    if (i == 6) return gabor_impl_waves_layer(trunk, vec2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
+    return gabor_impl_waves_layer(trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }
 
 GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
@@ -1366,7 +1305,7 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_bark_at(vec2 p, vec2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1394,7 +1333,7 @@ GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPix
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
                  : i == 6 ? vec2(0.25, 2.8333333) : vec2(0.6, 8.3333333);
-    return gabor_impl_spots_layer(i - 3, rock, density * vec2(1.0, strata.layers), seed, i - 1);
+    return gabor_impl_spots_layer(rock, density * vec2(1.0, strata.layers), seed, i - 1);
 }
 
 GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
@@ -1418,7 +1357,7 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
@@ -1432,55 +1371,59 @@ GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed
 
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
-#ifdef GABOR_FILTER_GLSL
 GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 3; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
 GaborMaterial gabor_carbon_fibre_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
     of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
     of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
+    GaborImplPair cloud = gabor_impl_no_pair();
+    for (int i = 0; i < 3; ++i)
+        cloud = gabor_impl_plus_filtered_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_filtered_spots(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
         GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
@@ -1489,19 +1432,20 @@ GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
 }
 
 GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
     of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1512,7 +1456,7 @@ GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 per
 }
 
 GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1521,39 +1465,40 @@ GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period,
 }
 
 GaborMaterial gabor_zebra_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
     of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GaborMaterial gabor_bark_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 6; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    for (int j = 6; j < 8; ++j) {
-        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.pair_2 = pair;
-        else of.pair_3 = pair;
-    }
+    for (int i = 0; i < 5; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_filtered_waves(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 GaborMaterial gabor_strata_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 8; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    for (int i = 0; i < 4; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_filtered_spots(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
-#endif
 
 // ---- Definitions of the other public functions ---------------------------------------------------------------------
 
@@ -1601,6 +1546,7 @@ GaborStrata gabor_strata_default() {
                        6.0, 1.0, 1.0, 0.9);
 }
 
+
 GaborMaterial gabor_wood(vec2 p, uint seed) {
     return gabor_wood_at(p, vec2(0.0), gabor_wood_default(), seed);
 }
@@ -1635,7 +1581,6 @@ GaborMaterial gabor_strata(vec2 p, uint seed) {
     return gabor_strata_at(p, vec2(0.0), gabor_strata_default(), seed);
 }
 
-#ifdef GABOR_FILTER_GLSL
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
     return gabor_wood_filtered_at(p, dx, dy, vec2(0.0), gabor_wood_default(), seed);
 }
@@ -1669,6 +1614,5 @@ GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
 GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
     return gabor_strata_filtered_at(p, dx, dy, vec2(0.0), gabor_strata_default(), seed);
 }
-#endif
 
 #endif

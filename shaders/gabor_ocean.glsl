@@ -62,10 +62,10 @@ struct GaborOcean {
 // What a sea depends on.
 struct GaborSea {
     float wind;            // wind speed at a height of 10 m, 2 to 30 metres per second
-    float fetch;           // open water upwind, a few kilometres for a lake and 200 km for a grown sea, 1000 to
-                           // 1000000 metres: beyond 2190 wind^2, waves grow no more
-    float swell_height;    // significant height of a swell from a far storm, from trough to crest, or 0 for none,
-                           // 0 to 30 metres, usually 0 to 8: ends at 0.07 wavelengths, 0.11 period^2 in deep water
+    float fetch;           // open water upwind, 200 km for a grown sea, 1000 to 1000000 metres: a few kilometres for a
+                           // lake, and beyond 2190 wind^2, waves grow no more
+    float swell_height;    // significant height of a far storm's swell, 0 for none, 0 to 30 metres, usually 0 to 8: up
+                           // to 0.07 of its wavelength, 0.11 period^2 in deep water
     float swell_period;    // time from crest to crest of the swell, 5 to 25 seconds
     float swell_direction; // where the swell goes, from +x towards +y, -628.31853 to 628.31853 radians
     float water_depth;     // depth of the water, or 0 for deep water, 0 to 10000 metres, usually 0 to 100: at

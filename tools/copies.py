@@ -35,7 +35,7 @@ def required(path):
 
 def parameters(*trees):
     """Yields the parameters of materials, boards, erosion and the sea: the members of the structs that have a range, with the defaults
-    that their functions return. A comment is "about, low to high unit, usually low to high: more"; angles become degrees."""
+    that their functions return. A comment's first line is "about, low to high unit, usually low to high: more"; angles become degrees."""
     for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
         name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
         if function.parameters or not function.name.text.endswith(("_default", "_erosion", "_sea")):
@@ -97,7 +97,7 @@ def with_members(presets, pattern):
 def data(of_materials, of_boards, of_erosion):
     """Returns the page's JSON: the controls of materials, boards and erosion, and the program's presets of materials and places."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
-    materials = with_members({name: preset for name, preset in presets.items() if "material" in preset}, r"material|seed|boards|.*\.")
+    materials = with_members({name: preset for name, preset in presets.items() if "material" in preset}, r"material|seed|boards|finish|.*\.")
     places = {view: with_members({name: preset for name, preset in presets.items() if preset.get("view") == view}, "(?!view|width|height)")
               for view in ("landscape", "ocean")}
     parts = {"presets": materials, **places}

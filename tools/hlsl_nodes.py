@@ -116,7 +116,7 @@ def tree(*paths):
 
 def members(owner):
     """Returns the inputs for the members of a struct, by copies.parameters."""
-    for option, kind, bounds, _, numbers, about in copies.parameters(tree(*files("materials" if owner else "erosion"))):
+    for option, kind, _, bounds, _, numbers, about in copies.parameters(tree(*files("materials" if owner else "erosion"))):
         of, _, member = option.rpartition(".")
         if of.replace("-", "_") == owner:
             if kind == "angle":

@@ -114,9 +114,12 @@ terrain's erosion.
                                        {"Surface", Group::terrain},
                                        {"", Group::erosion},
                                        {"", Group::material},
-                                       {"", Group::boards}})
+                                       {"", Group::boards},
+                                       {"", Group::finish}})
         add_group(*command, *options, title, group,
-                  group == Group::material || group == Group::boards ? nullptr : changes_maps);
+                  group == Group::material || group == Group::boards || group == Group::finish
+                      ? nullptr
+                      : changes_maps);
     command->get_option("--view")->description("flat for a material, or terrain [flat]");
     command->callback([options] { render_maps(*options); });
 }

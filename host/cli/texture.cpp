@@ -92,7 +92,8 @@ Example:
                                        {"View and light", Group::view},
                                        {"View and light", Group::light},
                                        {"", Group::material},
-                                       {"", Group::boards}})
+                                       {"", Group::boards},
+                                       {"", Group::finish}})
         add_group(*command, *options, title, group, *title ? changes_textures : nullptr);
     command->get_option("--view")->description("Only flat, to override that of --preset or --like [flat]");
     command->callback([options] { render_textures(*options); });

@@ -13,7 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -216,9 +216,9 @@ void App::panels() {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     // Tab moves between fields only while one is being edited; otherwise it is a shortcut.
-    ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
+    ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, !ImGui::GetIO().WantTextInput);
     side_panel(session_);
-    ImGui::PopAllowKeyboardFocus();
+    ImGui::PopItemFlag();
     ImGui::End();
 }
 
@@ -381,10 +381,10 @@ int App::run(const FrameHook& hook) {
 
 namespace {
 
-// Prints one line on stderr.
+// Prints one line on stderr or, if there is none, shows it.
 int fail(int status, std::string message) {
     std::ranges::replace(message, '\n', ' ');
-    fmt::print(stderr, "gabor-viewer: {}\n", message);
+    std::fputs(fmt::format("gabor-viewer: {}\n", message).c_str(), stderr);
     system::show_error(message);
     return status;
 }

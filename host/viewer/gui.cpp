@@ -1,6 +1,7 @@
 #include "viewer/gui.hpp"
 
 #include "system/desktop.hpp"
+#include "viewer/dear_imgui.hpp"
 #include "viewer/target.hpp"
 
 #include <GLFW/glfw3.h>
@@ -62,43 +63,6 @@ void note_character(GLFWwindow*, unsigned int character) {
 void note_pointer(GLFWwindow*, double x, double y) {
     pointer = {static_cast<float>(std::floor(x)), static_cast<float>(std::floor(y))};
 }
-
-// Since version 1.87, Dear ImGui takes events; before, programs wrote its state.
-#if IMGUI_VERSION_NUM < 18700
-void set_pointer(ImVec2 at) {
-    ImGui::GetIO().MousePos = at;
-}
-
-void set_button(int button, bool down) {
-    ImGui::GetIO().MouseDown[button] = down;
-}
-
-void set_modifiers(bool ctrl, bool shift) {
-    ImGui::GetIO().KeyCtrl = ctrl;
-    ImGui::GetIO().KeyShift = shift;
-}
-
-bool was_down(int key) {
-    return ImGui::GetIO().KeysDownDuration[key] >= 0;
-}
-#else
-void set_pointer(ImVec2 at) {
-    ImGui::GetIO().AddMousePosEvent(at.x, at.y);
-}
-
-void set_button(int button, bool down) {
-    ImGui::GetIO().AddMouseButtonEvent(button, down);
-}
-
-void set_modifiers(bool ctrl, bool shift) {
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, ctrl);
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, shift);
-}
-
-bool was_down(int key) {
-    return ImGui::IsKeyDown(static_cast<ImGuiKey>(key));
-}
-#endif
 
 void check_result(VkResult result) {
     if (result < 0)
@@ -190,9 +154,10 @@ void close_popups(ImVec2 at) {
 }
 
 vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
-    const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 1);
-    return {device.state().device,
-            vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size)};
+    constexpr std::uint32_t textures = 8; // Dear ImGui 1.92 asks for so many
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, textures);
+    return {device.state().device, vk::DescriptorPoolCreateInfo(
+                                       vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, textures, size)};
 }
 
 } // namespace
@@ -202,9 +167,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     : device_(device), window_(window.handle()), pass_(pass), density_(window.density()), scale_(scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // settings.hpp keeps the viewer's settings
-#if IMGUI_VERSION_NUM >= 18700
-    ImGui::GetIO().ConfigInputTrickleEventQueue = false; // take_press delays presses
-#endif
+    dear_imgui::process_events_at_once(); // take_press delays presses
     set_style(density_ * scale);
     // Dear ImGui's callback, if it has one, calls this.
     glfwSetCursorPosCallback(window.handle(), note_pointer);
@@ -236,13 +199,7 @@ void Gui::load_fonts() {
     build_fonts(std::round(14.0f * density_ * scale_), characters_); // Dear ImGui 1.90 would round down
     descriptors_ = make_descriptors(device_);
     info_.DescriptorPool = *descriptors_;
-    ImGui_ImplVulkan_Init(&info_, pass_);
-#if IMGUI_VERSION_NUM < 19000
-    Commands(device_).run(ImGui_ImplVulkan_CreateFontsTexture);
-    ImGui_ImplVulkan_DestroyFontUploadObjects();
-#else
-    ImGui_ImplVulkan_CreateFontsTexture();
-#endif
+    dear_imgui::start_renderer(device_, info_, pass_);
 }
 
 Gui::~Gui() {
@@ -277,7 +234,7 @@ void Gui::begin() {
     ImGui_ImplGlfw_NewFrame();
     take_press();
     for (std::size_t i = 0; i < buttons_.size(); ++i)
-        set_button(static_cast<int>(i), buttons_[i]);
+        dear_imgui::set_button(static_cast<int>(i), buttons_[i]);
     ImGui::NewFrame();
 }
 
@@ -294,7 +251,7 @@ void Gui::take_press() {
     if (is(GLFW_FOCUSED) || is(GLFW_HOVERED)) { // the last frame may have moved the pointer to a press
         double x = 0, y = 0;
         glfwGetCursorPos(window_, &x, &y);
-        set_pointer({static_cast<float>(x), static_cast<float>(y)});
+        dear_imgui::set_pointer({static_cast<float>(x), static_cast<float>(y)});
     }
     const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
     const auto tell = [&](int key, int action) {
@@ -302,8 +259,8 @@ void Gui::take_press() {
     };
     if (released_)
         tell(std::exchange(released_, 0), GLFW_RELEASE);
-    set_modifiers(down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL),
-                  down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT));
+    dear_imgui::set_modifiers(down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL),
+                              down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT));
     // A field takes all text up to the next key that edits or leaves it, without a frame for each key. The
     // last key or click may have moved to another field or closed this one, which takes two frames to show.
     const auto is_text = [&] {
@@ -319,10 +276,10 @@ void Gui::take_press() {
         return;
     const Press next = presses.front();
     const bool is_key = next.key >= 0;
-    if (is_key && was_down(next.key))
+    if (is_key && dear_imgui::is_down(next.key))
         return tell(next.key, GLFW_RELEASE); // the press follows in the next frame
     if (!is_key) {
-        set_pointer(next.at);
+        dear_imgui::set_pointer(next.at);
         if (next.at.x != io.MousePosPrev.x || next.at.y != io.MousePosPrev.y)
             return; // as above
     }
@@ -335,7 +292,8 @@ void Gui::take_press() {
         if (!down(next.key))
             released_ = next.key;
     }
-    set_modifiers((next.modifiers & GLFW_MOD_CONTROL) != 0, (next.modifiers & GLFW_MOD_SHIFT) != 0);
+    dear_imgui::set_modifiers((next.modifiers & GLFW_MOD_CONTROL) != 0,
+                              (next.modifiers & GLFW_MOD_SHIFT) != 0);
     if (is_key)
         return;
     const auto button = static_cast<std::size_t>(next.button);

@@ -252,6 +252,7 @@ std::string material_function(const View& view) {
                             : "gabor_{0}_at({1}{4}, {2}, m, {1}{3})",
              function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed,
              boards ? "position" : "p");
+    const std::string laid = boards ? glsl("gabor_laid({}, board, boards)", material) : material;
     return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
                 "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
                 "gabor_{}_default();\n{}",
@@ -261,8 +262,15 @@ std::string material_function(const View& view) {
                            "    GaborBoard board = gabor_board(p, {}, {}, boards, {});\n",
                            members_of(view, render::Parameter::Group::boards, "boards"),
                            request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", tile, seed)) +
+           (!request.finish ? ""
+                            : glsl("    GaborFinish finish = gabor_finish_default();\n{}",
+                                   members_of(view, render::Parameter::Group::finish, "finish"))) +
            glsl("    return {};\n}}\n\n",
-                boards ? glsl("gabor_laid({}, board, boards)", material) : material);
+                request.finish
+                    ? glsl(request.filter ? "gabor_finished_filtered({}, p, dx, dy, {}, finish, {})"
+                                          : "gabor_finished({}, p, {}, finish, {})",
+                           laid, tile, seed)
+                    : laid);
 }
 
 // GLSL for the colour that each Look shows of the Sample `here`.
@@ -280,7 +288,7 @@ std::string material_snippet(const View& view) {
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
     return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials",
-                     view.request.boards ? "compose" : ""}) +
+                     view.request.boards || view.request.finish ? "compose" : ""}) +
            material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"

@@ -1,6 +1,7 @@
 #include "viewer/widgets.hpp"
 
 #include "error.hpp"
+#include "viewer/dear_imgui.hpp"
 #include "viewer/document.hpp"
 
 #include <GLFW/glfw3.h>
@@ -60,7 +61,7 @@ bool number_slider(const char* label, double& value, const render::Range& range,
 }
 
 bool pressed(int key, bool repeat) {
-    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key), repeat);
+    return dear_imgui::went_down(key, repeat);
 }
 
 bool key_went_down() {

@@ -48,20 +48,21 @@ const uint few_waves_id = 26;
 const uint narrow_waves_id = 27;
 const uint wide_waves_id = 28;
 
-// passes/material.comp: what surrounds the material, and whether it is laid as boards
+// passes/material.comp: what surrounds the material, whether it is laid as boards, and whether it has a finish
 const uint environment_id = 29;
 const uint boards_id = 30;
+const uint finish_id = 31;
 
 // passes/fractal.comp: members of GaborFractal, and whether a warp moves the noise
-const uint basis_id = 31;
-const uint shape_id = 32;
-const uint warped_id = 33;
+const uint basis_id = 32;
+const uint shape_id = 33;
+const uint warped_id = 34;
 
 // passes/terrain.comp: what covers the ground, as in passes/landscape.glsl, and whether there are lakes
-const uint cover_id = 34;
-const uint lakes_id = 35;
+const uint cover_id = 35;
+const uint lakes_id = 36;
 
-const uint constant_count = 36;
+const uint constant_count = 37;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -192,7 +192,7 @@ vec3 exposed(vec3 light) {
 float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
     GaborTerrain hills = hills_at(ground, at.xz, 0.0);
     float above = at.y - hills.height - ground.reach;
-    stride = (ground.cover == 2 ? 0.3 : 0.45) * above; // cliffs are steep
+    stride = 0.45 * above;
     if (above > margin) return above;
     above = at.y - ground_on(ground, at.xz, pixel, hills).height;
     stride = 0.18 * above;

@@ -8,7 +8,7 @@
 #include "passes/material_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
-#include "gabor_filter.glsl"
+#include "gabor_fractal.glsl"
 #include "gabor_materials.glsl"
 #include "gabor_compose.glsl"
 
@@ -17,6 +17,7 @@ layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
 layout(constant_id = environment_id) const int environment = 0;
 layout(constant_id = boards_id) const bool laid = false;
+layout(constant_id = finish_id) const bool finished = false;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? material_coverage + 1 : material_slope + 2;
 const int rays = 4;
@@ -31,6 +32,7 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 layout(std430, set = 0, binding = 1) readonly buffer Parameters {
     GABOR_PARAMETERS parameters;
     GaborBoards boards;
+    GaborFinish finish;
 };
 
 GABOR_PARAMETERS look;
@@ -45,7 +47,11 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
         material = GABOR_FILTERED(board.position, board.dx, board.dy, period, look, board.seed);
     else
         material = GABOR_MATERIAL(board.position, period, look, board.seed);
-    return laid ? gabor_laid(material, board, boards) : material;
+    if (laid)
+        material = gabor_laid(material, board, boards);
+    if (finished && filtered)
+        return gabor_finished_filtered(material, p, dx, dy, tile, finish, seed);
+    return finished ? gabor_finished(material, p, tile, finish, seed) : material;
 }
 
 #include "relief.glsl"

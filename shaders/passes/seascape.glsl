@@ -47,7 +47,7 @@ float distance_to_water(Sea sea, vec3 eye, vec3 ray, float wide, out vec2 shift)
     float t = max((eye.y - 4.0 * sea.high) / max(-ray.y, 1.0e-6), 0.0), before = t, was = 1.0e6;
     shift = vec2(0.0);
     for (int i = 0; i < 48; ++i) {
-        if (wide * t > 0.5 * sea.high) return max(t, eye.y / max(-ray.y, 1.0e-6)); // waves are lower than a pixel
+        if (wide * t > 4.0 * sea.high) return max(t, eye.y / max(-ray.y, 1.0e-6)); // waves are lower than a pixel
         vec2 x = eye.xz + t * ray.xz;
         float pixel = max(wide * t, 0.1 * min(was, 20.0));
         GaborWater w = water_near(sea, x, shift, vec2(pixel, 0.0), vec2(0.0, pixel));

@@ -1,6 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
-// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hlsl.
+// Includes gabor_noise.hlsl, gabor_fractal.hlsl, gabor_spectrum.hlsl, gabor_materials.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hlsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -18,6 +17,7 @@
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
+//     uneven colour, gloss, dirt, dust       gabor_finished or, for a filtered material, gabor_finished_filtered
 //
 // The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
 // of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
@@ -28,13 +28,11 @@
 #ifndef GABOR_NOISE_HLSL
 #include "gabor_noise.hlsl"
 #endif
+#ifndef GABOR_FRACTAL_HLSL
+#include "gabor_fractal.hlsl"
+#endif
 #ifndef GABOR_SPECTRUM_HLSL
 #include "gabor_spectrum.hlsl"
-#endif
-#if !defined(GABOR_FILTER_HLSL) && defined(__has_include)
-#if __has_include("gabor_filter.hlsl")
-#include "gabor_filter.hlsl"
-#endif
 #endif
 #ifndef GABOR_MATERIALS_HLSL
 #include "gabor_materials.hlsl"
@@ -97,6 +95,45 @@ GaborBoard GaborBoard_of(float2 position, float2 dx, float2 dy, uint seed, float
 
 // GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
 //     The lower of two materials: a coat that is worn off where it stands out of the core.
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
+// ground. And a grain, which is visible from 300 pixels per unit on.
+struct GaborFinish {
+    float3 dirt_colour;          // colour of the dirt
+    float3 dust_colour;          // colour of the dust
+    float patch_size;          // size of the patches that differ, in units, 0.1 to 10
+    float shade_variation;     // variation of the brightness: the deviation of its logarithm, 0 to 0.5
+    float hue_variation;       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
+    float roughness_variation; // variation of the roughness: its deviation, 0 to 0.3
+    float dirt_amount;         // share of the dirt where it is thickest, 0 to 1
+    float dirt_height;         // height of half the dirt, in units, -1 to 1
+    float dirt_depth;          // difference in height from most dirt to none, in units, 0.001 to 2
+    float dust_amount;         // share of the dust where it is thickest, 0 to 1
+    float grain_size;          // size of the grains along x, in units, 0.001 to 0.05
+    float grain_stretch;       // length of the grains along y, relative to their size, 1 to 50
+    float grain_contrast;      // contrast of the grains: the deviation of the logarithm of the brightness, 0 to 0.5
+    float grain_height;        // deviation of the height by the grains, in units, 0 to 0.002
+};
+
+GaborFinish GaborFinish_of(float3 dirt_colour, float3 dust_colour, float patch_size, float shade_variation,
+        float hue_variation, float roughness_variation, float dirt_amount, float dirt_height, float dirt_depth,
+        float dust_amount, float grain_size, float grain_stretch, float grain_contrast, float grain_height) {
+    GaborFinish made = {dirt_colour, dust_colour, patch_size, shade_variation, hue_variation, roughness_variation,
+        dirt_amount, dirt_height, dirt_depth, dust_amount, grain_size, grain_stretch, grain_contrast, grain_height};
+    return made;
+}
+
+// GaborFinish gabor_finish_default()
+//     A slightly worn surface without dirt or dust.
+
+// GaborMaterial gabor_finished(GaborMaterial material, float2 p, float2 period, GaborFinish finish, uint seed)
+// GaborMaterial gabor_finished_filtered(GaborMaterial material, float2 p, float2 dx, float2 dy, float2 period,
+//                                       GaborFinish finish, uint seed)
+//     The material with a finish at p, plain or filtered; after gabor_laid, patches run across boards. Patches and
+//     grains change no mean of colour, roughness and height, unless they clip. The mean share of dirt is the same from
+//     afar if dirt_depth is the whole relief.
 
 // ====================================================================================================================
 // Private implementation
@@ -188,6 +225,62 @@ GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial above, float soft
 
 GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
     return gabor_impl_outer(coat, core, softness, -1.0);
+}
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+GaborFinish gabor_finish_default() {
+    return GaborFinish_of(float3(0.03, 0.022, 0.016), float3(0.42, 0.38, 0.33), 0.5, 0.12, 0.04, 0.06, 0.0, 0.0, 0.1, 0.0,
+                       0.006, 1.0, 0.1, 0.0);
+}
+
+// Patches and grains.
+GaborImplLayer gabor_impl_finish_layer(int i, GaborImplPixel at, GaborFinish finish, uint seed) {
+    if (i == 0) return gabor_impl_spots_layer(at, (float2)(1.0 / finish.patch_size), seed, 65);
+    return gabor_impl_spots_layer(at, float2(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
+}
+
+// A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
+float gabor_impl_tinted(float colour, float2 shade, float hue, float removed, float contrast) {
+    return gabor_impl_toned((float3)(colour), shade + gabor_impl_tone(hue, removed, contrast)).x;
+}
+
+// Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
+GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches,
+                                GaborImplPair grain) {
+    float2 shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
+               + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
+    // Red and blue change against each other, and green so that the luminance of grey stays:
+    // 0.19631 is (0.2126 - 0.0722) / 0.7152
+    float hue = patches.second.x, red = 0.5 * finish.hue_variation;
+    float3 colour = float3(gabor_impl_tinted(material.colour.x, shade, hue, patches.removed, red),
+                       gabor_impl_tinted(material.colour.y, shade, hue, patches.removed, -0.19631 * red),
+                       gabor_impl_tinted(material.colour.z, shade, hue, patches.removed, -red));
+    float roughness = material.roughness + finish.roughness_variation * patches.second.x;
+    float dirt = finish.dirt_amount * clamp(0.5 + (finish.dirt_height - material.height) / finish.dirt_depth, 0.0, 1.0);
+    // The mean of exp(-|slope|^2) over normal slopes whose covariance has the trace steep - 1.
+    float steep = 1.0 + material.lost.x + material.lost.y;
+    float flatness = exp(-dot(material.slope, material.slope) / steep) / steep;
+    float dust = finish.dust_amount * flatness * gabor_impl_above(patches.second, patches.removed, 0.0, 0.7).x;
+    float bare = (1.0 - dirt) * (1.0 - dust);
+    return GaborMaterial_of(lerp(lerp(colour, finish.dirt_colour, dirt), finish.dust_colour, dust),
+                         material.height + finish.grain_height * grain.first.x,
+                         material.slope + finish.grain_height * grain.first.yz,
+                         lerp(0.9, clamp(roughness, 0.03, 1.0), bare), bare * material.metalness,
+                         material.lost + finish.grain_height * finish.grain_height * grain.lost);
+}
+
+GaborMaterial gabor_finished(GaborMaterial material, float2 p, float2 period, GaborFinish finish, uint seed) {
+    GaborImplPixel at = gabor_impl_point(p, period);
+    return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
+}
+
+GaborMaterial gabor_finished_filtered(GaborMaterial material, float2 p, float2 dx, float2 dy, float2 period,
+                                      GaborFinish finish, uint seed) {
+    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 #endif

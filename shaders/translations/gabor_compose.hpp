@@ -1,7 +1,6 @@
 // clang-format off
 // Generated from gabor_compose.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
-// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hpp.
+// Includes gabor_noise.hpp, gabor_fractal.hpp, gabor_spectrum.hpp, gabor_materials.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_compose.hpp: materials together, as planks and tiles, one over another, or worn.
 //
@@ -19,6 +18,7 @@
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
+//     uneven colour, gloss, dirt, dust       gabor_finished or, for a filtered material, gabor_finished_filtered
 //
 // The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
 // of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
@@ -33,13 +33,11 @@
 #ifndef GABOR_NOISE_HPP
 #include "gabor_noise.hpp"
 #endif
+#ifndef GABOR_FRACTAL_HPP
+#include "gabor_fractal.hpp"
+#endif
 #ifndef GABOR_SPECTRUM_HPP
 #include "gabor_spectrum.hpp"
-#endif
-#if !defined(GABOR_FILTER_HPP) && defined(__has_include)
-#if __has_include("gabor_filter.hpp")
-#include "gabor_filter.hpp"
-#endif
 #endif
 #ifndef GABOR_MATERIALS_HPP
 #include "gabor_materials.hpp"
@@ -89,6 +87,37 @@ struct GaborBoard {
 
 // GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness)
 //     The lower of two materials: a coat that is worn off where it stands out of the core.
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
+// ground. And a grain, which is visible from 300 pixels per unit on.
+struct GaborFinish {
+    gabor_vec3 dirt_colour;          // colour of the dirt
+    gabor_vec3 dust_colour;          // colour of the dust
+    float patch_size;          // size of the patches that differ, in units, 0.1 to 10
+    float shade_variation;     // variation of the brightness: the deviation of its logarithm, 0 to 0.5
+    float hue_variation;       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
+    float roughness_variation; // variation of the roughness: its deviation, 0 to 0.3
+    float dirt_amount;         // share of the dirt where it is thickest, 0 to 1
+    float dirt_height;         // height of half the dirt, in units, -1 to 1
+    float dirt_depth;          // difference in height from most dirt to none, in units, 0.001 to 2
+    float dust_amount;         // share of the dust where it is thickest, 0 to 1
+    float grain_size;          // size of the grains along x, in units, 0.001 to 0.05
+    float grain_stretch;       // length of the grains along y, relative to their size, 1 to 50
+    float grain_contrast;      // contrast of the grains: the deviation of the logarithm of the brightness, 0 to 0.5
+    float grain_height;        // deviation of the height by the grains, in units, 0 to 0.002
+};
+
+// GaborFinish gabor_finish_default()
+//     A slightly worn surface without dirt or dust.
+
+// GaborMaterial gabor_finished(GaborMaterial material, vec2 p, vec2 period, GaborFinish finish, uint seed)
+// GaborMaterial gabor_finished_filtered(GaborMaterial material, vec2 p, vec2 dx, vec2 dy, vec2 period,
+//                                       GaborFinish finish, uint seed)
+//     The material with a finish at p, plain or filtered; after gabor_laid, patches run across boards. Patches and
+//     grains change no mean of colour, roughness and height, unless they clip. The mean share of dirt is the same from
+//     afar if dirt_depth is the whole relief.
 
 // ====================================================================================================================
 // Private implementation
@@ -180,6 +209,62 @@ GABOR_INLINE GaborMaterial gabor_covered(GaborMaterial below, GaborMaterial abov
 
 GABOR_INLINE GaborMaterial gabor_worn(GaborMaterial coat, GaborMaterial core, float softness) {
     return gabor_impl_outer(coat, core, softness, -1.0f);
+}
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborFinish gabor_finish_default() {
+    return GaborFinish{gabor_vec3(0.03f, 0.022f, 0.016f), gabor_vec3(0.42f, 0.38f, 0.33f), 0.5f, 0.12f, 0.04f, 0.06f, 0.0f, 0.0f, 0.1f, 0.0f,
+                       0.006f, 1.0f, 0.1f, 0.0f};
+}
+
+// Patches and grains.
+GABOR_INLINE GaborImplLayer gabor_impl_finish_layer(int i, GaborImplPixel at, GaborFinish finish, std::uint32_t seed) {
+    if (i == 0) return gabor_impl_spots_layer(at, gabor_vec2(1.0f / finish.patch_size), seed, 65);
+    return gabor_impl_spots_layer(at, gabor_vec2(1.0f, 1.0f / finish.grain_stretch) / finish.grain_size, seed, 66);
+}
+
+// A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
+GABOR_INLINE float gabor_impl_tinted(float colour, gabor_vec2 shade, float hue, float removed, float contrast) {
+    return gabor_impl_toned(gabor_vec3(colour), shade + gabor_impl_tone(hue, removed, contrast)).x;
+}
+
+// Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
+GABOR_INLINE GaborMaterial gabor_impl_finish(GaborMaterial material, GaborFinish finish, GaborImplPair patches,
+                                GaborImplPair grain) {
+    gabor_vec2 shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
+               + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
+    // Red and blue change against each other, and green so that the luminance of grey stays:
+    // 0.19631 is (0.2126 - 0.0722) / 0.7152
+    float hue = patches.second.x, red = 0.5f * finish.hue_variation;
+    gabor_vec3 colour = gabor_vec3(gabor_impl_tinted(material.colour.x, shade, hue, patches.removed, red),
+                       gabor_impl_tinted(material.colour.y, shade, hue, patches.removed, -0.19631f * red),
+                       gabor_impl_tinted(material.colour.z, shade, hue, patches.removed, -red));
+    float roughness = material.roughness + finish.roughness_variation * patches.second.x;
+    float dirt = finish.dirt_amount * gabor_cpp_clamp(0.5f + (finish.dirt_height - material.height) / finish.dirt_depth, 0.0f, 1.0f);
+    // The mean of exp(-|slope|^2) over normal slopes whose covariance has the trace steep - 1.
+    float steep = 1.0f + material.lost.x + material.lost.y;
+    float flatness = gabor_cpp_exp(-gabor_cpp_dot(material.slope, material.slope) / steep) / steep;
+    float dust = finish.dust_amount * flatness * gabor_impl_above(patches.second, patches.removed, 0.0f, 0.7f).x;
+    float bare = (1.0f - dirt) * (1.0f - dust);
+    return GaborMaterial{gabor_cpp_mix(gabor_cpp_mix(colour, finish.dirt_colour, dirt), finish.dust_colour, dust),
+                         material.height + finish.grain_height * grain.first.x,
+                         material.slope + finish.grain_height * grain.first.yz(),
+                         gabor_cpp_mix(0.9f, gabor_cpp_clamp(roughness, 0.03f, 1.0f), bare), bare * material.metalness,
+                         material.lost + finish.grain_height * finish.grain_height * grain.lost};
+}
+
+GABOR_INLINE GaborMaterial gabor_finished(GaborMaterial material, gabor_vec2 p, gabor_vec2 period, GaborFinish finish, std::uint32_t seed) {
+    GaborImplPixel at = gabor_impl_point(p, period);
+    return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
+}
+
+GABOR_INLINE GaborMaterial gabor_finished_filtered(GaborMaterial material, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period,
+                                      GaborFinish finish, std::uint32_t seed) {
+    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }
 
 #endif

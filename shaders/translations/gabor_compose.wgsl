@@ -1,5 +1,5 @@
 // Generated from gabor_compose.glsl by tools/translate, for WGSL: change that file, not this one.
-// Paste it after gabor_noise.wgsl, gabor_spectrum.wgsl, gabor_filter.wgsl, gabor_materials.wgsl.
+// Paste it after gabor_noise.wgsl, gabor_fractal.wgsl, gabor_spectrum.wgsl, gabor_materials.wgsl.
 //
 // gabor_compose.wgsl: materials together, as planks and tiles, one over another, or worn.
 //
@@ -17,6 +17,7 @@
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
+//     uneven colour, gloss, dirt, dust       gabor_finished or, for a filtered material, gabor_finished_filtered
 //
 // The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
 // of gabor_noise; gabor_covered and gabor_worn cost next to nothing. For filtered materials, give a `softness` of at
@@ -66,6 +67,37 @@ struct GaborBoard {
 
 // fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborMaterial
 //     The lower of two materials: a coat that is worn off where it stands out of the core.
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
+// ground. And a grain, which is visible from 300 pixels per unit on.
+struct GaborFinish {
+    dirt_colour: vec3f,       // colour of the dirt
+    dust_colour: vec3f,       // colour of the dust
+    patch_size: f32,          // size of the patches that differ, in units, 0.1 to 10
+    shade_variation: f32,     // variation of the brightness: the deviation of its logarithm, 0 to 0.5
+    hue_variation: f32,       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
+    roughness_variation: f32, // variation of the roughness: its deviation, 0 to 0.3
+    dirt_amount: f32,         // share of the dirt where it is thickest, 0 to 1
+    dirt_height: f32,         // height of half the dirt, in units, -1 to 1
+    dirt_depth: f32,          // difference in height from most dirt to none, in units, 0.001 to 2
+    dust_amount: f32,         // share of the dust where it is thickest, 0 to 1
+    grain_size: f32,          // size of the grains along x, in units, 0.001 to 0.05
+    grain_stretch: f32,       // length of the grains along y, relative to their size, 1 to 50
+    grain_contrast: f32,      // contrast of the grains: the deviation of the logarithm of the brightness, 0 to 0.5
+    grain_height: f32,        // deviation of the height by the grains, in units, 0 to 0.002
+}
+
+// fn gabor_finish_default() -> GaborFinish
+//     A slightly worn surface without dirt or dust.
+
+// fn gabor_finished(material: GaborMaterial, p: vec2f, period: vec2f, finish: GaborFinish, seed: u32) -> GaborMaterial
+// fn gabor_finished_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, vec2f period, -> GaborMaterial
+//                                       GaborFinish finish, u32 seed)
+//     The material with a finish at p, plain or filtered; after gabor_laid, patches run across boards. Patches and
+//     grains change no mean of colour, roughness and height, unless they clip. The mean share of dirt is the same from
+//     afar if dirt_depth is the whole relief.
 
 // ====================================================================================================================
 // Private implementation
@@ -159,4 +191,59 @@ fn gabor_covered(below: GaborMaterial, above: GaborMaterial, softness: f32) -> G
 
 fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborMaterial {
     return gabor_impl_outer(coat, core, softness, -1.0);
+}
+
+// ---- A finish ------------------------------------------------------------------------------------------------------
+
+fn gabor_finish_default() -> GaborFinish {
+    return GaborFinish(vec3f(0.03, 0.022, 0.016), vec3f(0.42, 0.38, 0.33), 0.5, 0.12, 0.04, 0.06, 0.0, 0.0, 0.1, 0.0,
+                       0.006, 1.0, 0.1, 0.0);
+}
+
+// Patches and grains.
+fn gabor_impl_finish_layer(i: i32, at: GaborImplPixel, finish: GaborFinish, seed: u32) -> GaborImplLayer {
+    if (i == 0) { return gabor_impl_spots_layer(at, vec2f(1.0 / finish.patch_size), seed, 65); }
+    return gabor_impl_spots_layer(at, vec2f(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
+}
+
+// A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
+fn gabor_impl_tinted(colour: f32, shade: vec2f, hue: f32, removed: f32, contrast: f32) -> f32 {
+    return gabor_impl_toned(vec3f(colour), shade + gabor_impl_tone(hue, removed, contrast)).x;
+}
+
+// Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
+fn gabor_impl_finish(material: GaborMaterial, finish: GaborFinish, patches: GaborImplPair, grain: GaborImplPair) -> GaborMaterial {
+    let shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
+               + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
+    // Red and blue change against each other, and green so that the luminance of grey stays:
+    // 0.19631 is (0.2126 - 0.0722) / 0.7152
+    let hue = patches.second.x; let red = 0.5 * finish.hue_variation;
+    let colour = vec3f(gabor_impl_tinted(material.colour.x, shade, hue, patches.removed, red),
+                       gabor_impl_tinted(material.colour.y, shade, hue, patches.removed, -0.19631 * red),
+                       gabor_impl_tinted(material.colour.z, shade, hue, patches.removed, -red));
+    let roughness = material.roughness + finish.roughness_variation * patches.second.x;
+    let dirt = finish.dirt_amount * clamp(0.5 + (finish.dirt_height - material.height) / finish.dirt_depth, 0.0, 1.0);
+    // The mean of exp(-|slope|^2) over normal slopes whose covariance has the trace steep - 1.
+    let steep = 1.0 + material.lost.x + material.lost.y;
+    let flatness = exp(-dot(material.slope, material.slope) / steep) / steep;
+    let dust = finish.dust_amount * flatness * gabor_impl_above(patches.second, patches.removed, 0.0, 0.7).x;
+    let bare = (1.0 - dirt) * (1.0 - dust);
+    return GaborMaterial(mix(mix(colour, finish.dirt_colour, dirt), finish.dust_colour, dust),
+                         material.height + finish.grain_height * grain.first.x,
+                         material.slope + finish.grain_height * grain.first.yz,
+                         mix(0.9, clamp(roughness, 0.03, 1.0), bare), bare * material.metalness,
+                         material.lost + finish.grain_height * finish.grain_height * grain.lost);
+}
+
+fn gabor_finished(material: GaborMaterial, p: vec2f, period: vec2f, finish: GaborFinish, seed: u32) -> GaborMaterial {
+    let at = gabor_impl_point(p, period);
+    return gabor_impl_finish(material, finish, gabor_impl_spots_pair(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_spots_pair(gabor_impl_finish_layer(1, at, finish, seed)));
+}
+
+fn gabor_finished_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, finish: GaborFinish,
+                           seed: u32) -> GaborMaterial {
+    let at = gabor_impl_pixel(true, p, dx, dy, period);
+    return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
+                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }

@@ -215,15 +215,25 @@ void gabor_impl_normalize_windows(inout float4 value, inout float4 slope, float 
     value *= kept;
 }
 
-GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, uint salt, float variance) {
-    float zero = floor(local), half_width = min(1.5 * sqrt(1.0 + variance / 0.294), 2.0);
-    float4 d = clamp(local - zero, 0.0, 1.0) + float4(1.0, 0.0, -1.0, -2.0);
-    float4 t = clamp(d * (0.25 / half_width), -0.25, 0.25);
-    float2 t0 = gabor_impl_half_turn(t.x), t1 = gabor_impl_half_turn(t.y);
-    float2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
-    float4 cosine = float4(t0.x, t1.x, t2.x, t3.x), sine = float4(t0.y, t1.y, t2.y, t3.y);
-    float4 value = cosine * cosine, slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, sqrt(gabor_impl_kept_even(variance)));
+// One over the half-width of Hann's windows, in node spacings, for a filter.
+float gabor_impl_inverse_width(float variance) {
+    return rsqrt(min(2.25 + 7.6530612 * variance, 4.0)); // 2.25 / 0.294
+}
+
+// Those windows, not normalized: the sum of their squares is within 1 % of 3/4 of the half-width. The nodes are at
+// -3/2, -1/2, 1/2 and 3/2 times an angle from the middle, which is at the angle of `a`.
+GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, uint salt, float inverse_width) {
+    float zero = floor(local), d = clamp(local - zero, 0.0, 1.0);
+    float2 a = 0.5 * gabor_impl_half_turn(0.5 * inverse_width * (d - 0.5));
+    float2 inner = gabor_impl_half_turn(0.25 * inverse_width);
+    float square = 4.0 * inner.x * inner.x;
+    float2 outer = inner * float2(square - 3.0, square - 1.0); // the cosine and sine of thrice the angle
+    float4 cosine = a.x * float4(outer.x, inner.x, inner.x, outer.x) - a.y * float4(outer.y, inner.y, -inner.y, -outer.y);
+    float4 sine = a.y * float4(outer.x, inner.x, inner.x, outer.x) + a.x * float4(outer.y, inner.y, -inner.y, -outer.y);
+    float4 value = 0.5 + cosine, slope = -3.1415927 * inverse_width * sine; // pi
+    bool first = (d + 1.0) * inverse_width < 1.0, last = (2.0 - d) * inverse_width < 1.0;
+    value = float4(first ? value.x : 0.0, value.yz, last ? value.w : 0.0);
+    slope = float4(first ? slope.x : 0.0, slope.yz, last ? slope.w : 0.0);
     return GaborImplLine_of(gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, (float4)(0.0),
                          (float4)(0.0));
 }
@@ -299,7 +309,13 @@ float3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, float evolution) 
 GaborImplLine gabor_impl_nodes(int cell, float local, int period, uint salt, float variance, int basis, bool filtered) {
     GaborImplLine line_;
     if (basis == GABOR_PERLIN) line_ = gabor_impl_perlin_line(cell, local, period, salt, variance);
-    else if (filtered) line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else if (filtered) {
+        line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, gabor_impl_inverse_width(variance));
+        float4 even = line_.even, slope = line_.even_slope;
+        gabor_impl_normalize_windows(even, slope, sqrt(gabor_impl_kept_even(variance)));
+        line_.even = even;
+        line_.even_slope = slope;
+    }
     else line_ = gabor_impl_smooth_line(cell, local, period, salt);
     return line_;
 }
@@ -307,7 +323,10 @@ GaborImplLine gabor_impl_nodes(int cell, float local, int period, uint salt, flo
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
 // pi^2/3 w^-2. Perlin noise's window is a sum of cosines of multiples of pi d / 2.
 float2 gabor_impl_slope_powers(float variance, bool perlin) {
-    if (!perlin) return float2(3.2898681 / min(2.25 + 7.6530612 * variance, 4.0), 0.0); // pi^2/3, 2.25 / 0.294
+    if (!perlin) {
+        float inverse_width = gabor_impl_inverse_width(variance);
+        return float2(3.2898681 * inverse_width * inverse_width, 0.0); // pi^2/3
+    }
     float t = gabor_impl_widening(variance), mean = 0.375 + 0.0625 * t;
     float3 power = float3(0.5 + 0.03125 * t, 0.125 - 0.0625 * t, 0.03125 * t);
     power *= power;

@@ -189,15 +189,25 @@ GABOR_INLINE void gabor_impl_normalize_windows(gabor_vec4& value, gabor_vec4& sl
     value *= kept;
 }
 
-GABOR_INLINE GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, std::uint32_t salt, float variance) {
-    float zero = gabor_cpp_floor(local), half_width = gabor_cpp_min(1.5f * gabor_cpp_sqrt(1.0f + variance / 0.294f), 2.0f);
-    gabor_vec4 d = gabor_cpp_clamp(local - zero, 0.0f, 1.0f) + gabor_vec4(1.0f, 0.0f, -1.0f, -2.0f);
-    gabor_vec4 t = gabor_cpp_clamp(d * (0.25f / half_width), -0.25f, 0.25f);
-    gabor_vec2 t0 = gabor_impl_half_turn(t.x), t1 = gabor_impl_half_turn(t.y);
-    gabor_vec2 t2 = gabor_impl_half_turn(t.z), t3 = gabor_impl_half_turn(t.w);
-    gabor_vec4 cosine = gabor_vec4(t0.x, t1.x, t2.x, t3.x), sine = gabor_vec4(t0.y, t1.y, t2.y, t3.y);
-    gabor_vec4 value = cosine * cosine, slope = -3.1415927f / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(value, slope, gabor_cpp_sqrt(gabor_impl_kept_even(variance)));
+// One over the half-width of Hann's windows, in node spacings, for a filter.
+GABOR_INLINE float gabor_impl_inverse_width(float variance) {
+    return gabor_cpp_inversesqrt(gabor_cpp_min(2.25f + 7.6530612f * variance, 4.0f)); // 2.25 / 0.294
+}
+
+// Those windows, not normalized: the sum of their squares is within 1 % of 3/4 of the half-width. The nodes are at
+// -3/2, -1/2, 1/2 and 3/2 times an angle from the middle, which is at the angle of `a`.
+GABOR_INLINE GaborImplLine gabor_impl_smooth_line_filtered(int cell, float local, int period, std::uint32_t salt, float inverse_width) {
+    float zero = gabor_cpp_floor(local), d = gabor_cpp_clamp(local - zero, 0.0f, 1.0f);
+    gabor_vec2 a = 0.5f * gabor_impl_half_turn(0.5f * inverse_width * (d - 0.5f));
+    gabor_vec2 inner = gabor_impl_half_turn(0.25f * inverse_width);
+    float square = 4.0f * inner.x * inner.x;
+    gabor_vec2 outer = inner * gabor_vec2(square - 3.0f, square - 1.0f); // the cosine and sine of thrice the angle
+    gabor_vec4 cosine = a.x * gabor_vec4(outer.x, inner.x, inner.x, outer.x) - a.y * gabor_vec4(outer.y, inner.y, -inner.y, -outer.y);
+    gabor_vec4 sine = a.y * gabor_vec4(outer.x, inner.x, inner.x, outer.x) + a.x * gabor_vec4(outer.y, inner.y, -inner.y, -outer.y);
+    gabor_vec4 value = 0.5f + cosine, slope = -3.1415927f * inverse_width * sine; // pi
+    bool first = (d + 1.0f) * inverse_width < 1.0f, last = (2.0f - d) * inverse_width < 1.0f;
+    value = gabor_vec4(first ? value.x : 0.0f, value.yz(), last ? value.w : 0.0f);
+    slope = gabor_vec4(first ? slope.x : 0.0f, slope.yz(), last ? slope.w : 0.0f);
     return GaborImplLine{gabor_impl_four_line_words(cell + int(zero), period, salt), value, slope, gabor_vec4(0.0f),
                          gabor_vec4(0.0f)};
 }
@@ -273,7 +283,13 @@ GABOR_INLINE gabor_vec3 gabor_impl_perlin_sum(GaborImplLine x, GaborImplLine y, 
 GABOR_INLINE GaborImplLine gabor_impl_nodes(int cell, float local, int period, std::uint32_t salt, float variance, int basis, bool filtered) {
     GaborImplLine line_;
     if (basis == GABOR_PERLIN) line_ = gabor_impl_perlin_line(cell, local, period, salt, variance);
-    else if (filtered) line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance);
+    else if (filtered) {
+        line_ = gabor_impl_smooth_line_filtered(cell, local, period, salt, gabor_impl_inverse_width(variance));
+        gabor_vec4 even = line_.even, slope = line_.even_slope;
+        gabor_impl_normalize_windows(even, slope, gabor_cpp_sqrt(gabor_impl_kept_even(variance)));
+        line_.even = even;
+        line_.even_slope = slope;
+    }
     else line_ = gabor_impl_smooth_line(cell, local, period, salt);
     return line_;
 }
@@ -281,7 +297,10 @@ GABOR_INLINE GaborImplLine gabor_impl_nodes(int cell, float local, int period, s
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
 // pi^2/3 w^-2. Perlin noise's window is a sum of cosines of multiples of pi d / 2.
 GABOR_INLINE gabor_vec2 gabor_impl_slope_powers(float variance, bool perlin) {
-    if (!perlin) return gabor_vec2(3.2898681f / gabor_cpp_min(2.25f + 7.6530612f * variance, 4.0f), 0.0f); // pi^2/3, 2.25 / 0.294
+    if (!perlin) {
+        float inverse_width = gabor_impl_inverse_width(variance);
+        return gabor_vec2(3.2898681f * inverse_width * inverse_width, 0.0f); // pi^2/3
+    }
     float t = gabor_impl_widening(variance), mean = 0.375f + 0.0625f * t;
     gabor_vec3 power = gabor_vec3(0.5f + 0.03125f * t, 0.125f - 0.0625f * t, 0.03125f * t);
     power *= power;

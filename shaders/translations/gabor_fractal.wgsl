@@ -175,15 +175,25 @@ fn gabor_impl_normalize_windows(value: ptr<function, vec4f>, slope: ptr<function
     *value *= kept;
 }
 
-fn gabor_impl_smooth_line_filtered(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborImplLine {
-    let zero = floor(local); let half_width = min(1.5 * sqrt(1.0 + variance / 0.294), 2.0);
-    let d = clamp(local - zero, 0.0, 1.0) + vec4f(1.0, 0.0, -1.0, -2.0);
-    let t = clamp(d * (0.25 / half_width), vec4f(-0.25), vec4f(0.25));
-    let t0 = gabor_impl_half_turn(t.x); let t1 = gabor_impl_half_turn(t.y);
-    let t2 = gabor_impl_half_turn(t.z); let t3 = gabor_impl_half_turn(t.w);
-    let cosine = vec4f(t0.x, t1.x, t2.x, t3.x); let sine = vec4f(t0.y, t1.y, t2.y, t3.y);
-    var value = cosine * cosine; var slope = -3.1415927 / half_width * (cosine * sine); // pi
-    gabor_impl_normalize_windows(&value, &slope, sqrt(gabor_impl_kept_even(variance)));
+// One over the half-width of Hann's windows, in node spacings, for a filter.
+fn gabor_impl_inverse_width(variance: f32) -> f32 {
+    return inverseSqrt(min(2.25 + 7.6530612 * variance, 4.0)); // 2.25 / 0.294
+}
+
+// Those windows, not normalized: the sum of their squares is within 1 % of 3/4 of the half-width. The nodes are at
+// -3/2, -1/2, 1/2 and 3/2 times an angle from the middle, which is at the angle of `a`.
+fn gabor_impl_smooth_line_filtered(cell: i32, local: f32, period: i32, salt: u32, inverse_width: f32) -> GaborImplLine {
+    let zero = floor(local); let d = clamp(local - zero, 0.0, 1.0);
+    let a = 0.5 * gabor_impl_half_turn(0.5 * inverse_width * (d - 0.5));
+    let inner = gabor_impl_half_turn(0.25 * inverse_width);
+    let square = 4.0 * inner.x * inner.x;
+    let outer = inner * vec2f(square - 3.0, square - 1.0); // the cosine and sine of thrice the angle
+    let cosine = a.x * vec4f(outer.x, inner.x, inner.x, outer.x) - a.y * vec4f(outer.y, inner.y, -inner.y, -outer.y);
+    let sine = a.y * vec4f(outer.x, inner.x, inner.x, outer.x) + a.x * vec4f(outer.y, inner.y, -inner.y, -outer.y);
+    var value = 0.5 + cosine; var slope = -3.1415927 * inverse_width * sine; // pi
+    let first = (d + 1.0) * inverse_width < 1.0; let last = (2.0 - d) * inverse_width < 1.0;
+    value = vec4f(select(0.0, value.x, first), value.yz, select(0.0, value.w, last));
+    slope = vec4f(select(0.0, slope.x, first), slope.yz, select(0.0, slope.w, last));
     return GaborImplLine(gabor_impl_four_line_words(cell + i32(zero), period, salt), value, slope, vec4f(0.0),
                          vec4f(0.0));
 }
@@ -261,7 +271,13 @@ fn gabor_impl_perlin_sum(x: GaborImplLine, y: GaborImplLine, evolution: f32) -> 
 fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32, basis: i32, filtered: bool) -> GaborImplLine {
     var line: GaborImplLine;
     if (basis == GABOR_PERLIN) { line = gabor_impl_perlin_line(cell, local, period, salt, variance); }
-    else if (filtered) { line = gabor_impl_smooth_line_filtered(cell, local, period, salt, variance); }
+    else if (filtered) {
+        line = gabor_impl_smooth_line_filtered(cell, local, period, salt, gabor_impl_inverse_width(variance));
+        var even = line.even; var slope = line.even_slope;
+        gabor_impl_normalize_windows(&even, &slope, sqrt(gabor_impl_kept_even(variance)));
+        line.even = even;
+        line.even_slope = slope;
+    }
     else { line = gabor_impl_smooth_line(cell, local, period, salt); }
     return line;
 }
@@ -269,7 +285,10 @@ fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32
 // The variances of the derivatives of u and v per node spacing, averaged over places. Hann's window of half-width w has
 // pi^2/3 w^-2. Perlin noise's window is a sum of cosines of multiples of pi d / 2.
 fn gabor_impl_slope_powers(variance: f32, perlin: bool) -> vec2f {
-    if (!perlin) { return vec2f(3.2898681 / min(2.25 + 7.6530612 * variance, 4.0), 0.0); } // pi^2/3, 2.25 / 0.294
+    if (!perlin) {
+        let inverse_width = gabor_impl_inverse_width(variance);
+        return vec2f(3.2898681 * inverse_width * inverse_width, 0.0); // pi^2/3
+    }
     let t = gabor_impl_widening(variance); let mean = 0.375 + 0.0625 * t;
     var power = vec3f(0.5 + 0.03125 * t, 0.125 - 0.0625 * t, 0.03125 * t);
     power *= power;

@@ -1,6 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
-// Includes gabor_noise.hlsl, gabor_spectrum.hlsl, gabor_filter.hlsl; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hlsl.
+// Includes gabor_noise.hlsl, gabor_fractal.hlsl, gabor_spectrum.hlsl; pasted after their texts, it includes nothing.
 //
 // gabor_materials.hlsl: eleven materials from Gabor noise.
 //
@@ -25,16 +24,11 @@
 #ifndef GABOR_NOISE_HLSL
 #include "gabor_noise.hlsl"
 #endif
+#ifndef GABOR_FRACTAL_HLSL
+#include "gabor_fractal.hlsl"
+#endif
 #ifndef GABOR_SPECTRUM_HLSL
 #include "gabor_spectrum.hlsl"
-#endif
-#if !defined(GABOR_FILTER_HLSL) && defined(__has_include)
-#if __has_include("gabor_filter.hlsl")
-#include "gabor_filter.hlsl"
-#endif
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.hlsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_MATERIALS_HLSL
 #define GABOR_MATERIALS_HLSL 1
@@ -69,8 +63,9 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 // GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed)
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are ddx(p) and ddy(p).
-// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, float2(0.0)
-// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
+// Far away, their slopes and `lost` have 0.8 to 1.25 times the energy of the plain slopes. `period` is in units of p,
+// float2(0.0) for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that
+// fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -279,7 +274,7 @@ GaborStrata GaborStrata_of(float3 dark_rock_colour, float3 light_rock_colour, fl
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
 // Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// and one that shades them.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 float3 gabor_impl_times(float3 a, float3 b) {
@@ -300,24 +295,38 @@ float3 gabor_impl_turned_square(float3 m, float2 x, float2 y) {
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
-// filter, and the period, 0 for none. Warps move it and bend the steps.
+// filter, and the period, 0 for none. Warps move it and bend the steps. A warp that a filter removed still steepens
+// slopes: the gradient of position.x has the mean (by_x.x, by_y.x) and the covariance lost_x, as xx, yy, xy; that of
+// position.y has lost_y, and nearly no covariance with the other.
 struct GaborImplPixel {
     float2 position;
     float2 by_x;
     float2 by_y;
+    bool filtered;
     float2 dx;
     float2 dy;
     float2 period;
+    float3 lost_x;
+    float3 lost_y;
 };
 
-GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, float2 dx, float2 dy, float2 period) {
-    GaborImplPixel made = {position, by_x, by_y, dx, dy, period};
+GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, bool filtered, float2 dx, float2 dy,
+        float2 period, float3 lost_x, float3 lost_y) {
+    GaborImplPixel made = {position, by_x, by_y, filtered, dx, dy, period, lost_x, lost_y};
     return made;
 }
 
-GaborImplPixel gabor_impl_pixel_at(float2 p, float2 dx, float2 dy, float2 period) {
+GaborImplPixel gabor_impl_pixel(bool filtered, float2 p, float2 dx, float2 dy, float2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : (float2)(0.0);
-    return GaborImplPixel_of(p, float2(1.0, 0.0), float2(0.0, 1.0), dx, dy, period);
+    if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
+        dx = float2(1.0e3, 0.0);
+        dy = float2(0.0, 1.0e3);
+    }
+    return GaborImplPixel_of(p, float2(1.0, 0.0), float2(0.0, 1.0), filtered, dx, dy, period, (float3)(0.0), (float3)(0.0));
+}
+
+GaborImplPixel gabor_impl_point(float2 p, float2 period) {
+    return gabor_impl_pixel(false, p, (float2)(0.0), (float2)(0.0), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -335,38 +344,41 @@ GaborPlace gabor_impl_place(GaborImplPixel at, float2 density) {
     return gabor_place_at(density * at.position);
 }
 
-uint3 gabor_impl_three_line_words(int index, int period, uint salt) {
-    int first = gabor_impl_wrap(index, period), second = gabor_impl_next_node(first, period);
-    return uint3(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
+// Adds a row of three nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+void gabor_impl_add_spots(inout float2 value, inout float4 slope, GaborImplLine x, uint word, float even,
+                          float even_slope) {
+    uint4 words = x.word * word;
+    float2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
+    float2 row = x.even.x * a + x.even.y * b + x.even.z * c;
+    value += even * row;
+    slope += float4(even * (x.even_slope.x * a + x.even_slope.y * b + x.even_slope.z * c), even_slope * row);
 }
 
-// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
-void gabor_impl_add_spots(inout float2 value, inout float4 slope, uint3 words, float4 x, float4 slope_x, float y,
-                          float slope_y) {
-    float2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
-    float2 row = x.x * a + x.y * b + x.z * c;
-    value += y * row;
-    slope += float4(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
+// Adds a row of four nodes.
+void gabor_impl_add_four_spots(inout float2 value, inout float4 slope, GaborImplLine x, uint word, float even,
+                               float even_slope) {
+    gabor_impl_add_spots(value, slope, x, word, even, even_slope);
+    float2 d = gabor_impl_amplitude(x.word.w * word), last = x.even.w * d;
+    value += even * last;
+    slope += float4(even * x.even_slope.w * d, even_slope * last);
+}
+
+GaborField gabor_impl_spots_field(float2 value, float4 slope, float scale, float2 stretch) {
+    return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
 // Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
 GaborField gabor_impl_spots(GaborPlace place, uint seed) {
-    float2 zero = floor(place.local + 0.5), offset = clamp(place.local - zero, -0.5, 0.5);
     uint salt = gabor_impl_salt(seed);
-    uint3 columns = gabor_impl_three_line_words(place.cell.x + int(zero.x) - 1, place.period.x, salt);
-    uint3 rows = gabor_impl_three_line_words(place.cell.y + int(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
-    float4 x, y, slope_x, slope_y;
-    gabor_impl_windows(offset.x, x, slope_x);
-    gabor_impl_windows(offset.y, y, slope_y);
+    GaborImplLine x = gabor_impl_smooth_line(place.cell.x, place.local.x, place.period.x, salt);
+    GaborImplLine y = gabor_impl_smooth_line(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS);
     float2 value = (float2)(0.0);
     float4 slope = (float4)(0.0);
-    gabor_impl_add_spots(value, slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
+    return gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
@@ -380,15 +392,31 @@ float4 gabor_impl_radii(GaborImplPixel at, float2 density) {
 GaborImplPixel gabor_impl_warp(GaborImplPixel at, float2 density, float2 amplitude, uint seed, int index) {
     float4 steps = gabor_impl_radii(at, density);
     float size = min(dot(steps, steps), 1.0e6), bend = 1.0 / (1.0 + 64.0 * size);
+    float2 whole = amplitude * amplitude;
     amplitude /= 1.0 + 0.82246703 * size; // pi^2 / 12
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
+    float3 lost_x = (float3)(0.0), lost_y = (float3)(0.0);
+    if (at.filtered) {
+        float2 power = 3.2898681 * density * density; // pi^2 / 3, the noises' mean square gradient
+        float3 lost = power.x * (gabor_impl_square(float2(at.by_x.x, at.by_y.x)) + at.lost_x)
+                  + power.y * (gabor_impl_square(float2(at.by_x.y, at.by_y.y)) + at.lost_y);
+        whole -= amplitude * amplitude;
+        lost_x = (1.0 + along_x.x) * (1.0 + along_x.x) * at.lost_x + along_y.x * along_y.x * at.lost_y + whole.x * lost;
+        lost_y = along_x.y * along_x.y * at.lost_x + (1.0 + along_y.y) * (1.0 + along_y.y) * at.lost_y + whole.y * lost;
+    }
     return GaborImplPixel_of(at.position + amplitude * float2(field.quadrature, field.noise),
                           at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
-                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y, at.filtered,
                           at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period);
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period, lost_x, lost_y);
+}
+
+// The covariance of the slopes in the plane that warps lost of a layer or profile, whose slopes along the warped axes
+// have these mean squares.
+float3 gabor_impl_warp_lost(GaborImplPixel at, float2 power) {
+    return power.x * at.lost_x + power.y * at.lost_y;
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -416,8 +444,9 @@ GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * float2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel_of(float2(dot(x, at.position), dot(y, at.position)), float2(dot(x, at.by_x), dot(y, at.by_x)),
-                          float2(dot(x, at.by_y), dot(y, at.by_y)), float2(dot(x, at.dx), dot(y, at.dx)),
-                          float2(dot(x, at.dy), dot(y, at.dy)), period);
+                          float2(dot(x, at.by_y), dot(y, at.by_y)), at.filtered,
+                          float2(dot(x, at.dx), dot(y, at.dx)), float2(dot(x, at.dy), dot(y, at.dy)), period,
+                          x.x * x.x * at.lost_x + x.y * x.y * at.lost_y, y.x * y.x * at.lost_x + y.y * y.y * at.lost_y);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -435,10 +464,9 @@ float gabor_impl_sine_kept(GaborImplPixel at, float count) {
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
 
-// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
-// `amplitude`, to pair `slot` of a material.
+// A noise with `density` kernel radii per unit along x and y, a wave vector per kernel radius, and its amplitude in a
+// sum.
 struct GaborImplLayer {
-    int slot;
     GaborImplPixel at;
     float2 density;
     float2 wave;
@@ -446,19 +474,19 @@ struct GaborImplLayer {
     uint seed;
 };
 
-GaborImplLayer GaborImplLayer_of(int slot, GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed) {
-    GaborImplLayer made = {slot, at, density, wave, amplitude, seed};
+GaborImplLayer GaborImplLayer_of(GaborImplPixel at, float2 density, float2 wave, float amplitude, uint seed) {
+    GaborImplLayer made = {at, density, wave, amplitude, seed};
     return made;
 }
 
 // A layer of frequency 0.
-GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, float2 density, uint seed, int index) {
-    return GaborImplLayer_of(slot, at, density, (float2)(0.0), 1.0, gabor_derived_seed(seed, index));
+GaborImplLayer gabor_impl_spots_layer(GaborImplPixel at, float2 density, uint seed, int index) {
+    return GaborImplLayer_of(at, density, (float2)(0.0), 1.0, gabor_derived_seed(seed, index));
 }
 
-GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 density, float frequency, float orientation,
+GaborImplLayer gabor_impl_waves_layer(GaborImplPixel at, float2 density, float frequency, float orientation,
                                       uint seed, int index) {
-    return GaborImplLayer_of(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0,
+    return GaborImplLayer_of(at, density, gabor_wave_vector(frequency, orientation), 1.0,
                           gabor_derived_seed(seed, index));
 }
 
@@ -466,7 +494,7 @@ GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, float2 densit
 GaborImplLayer gabor_impl_octave(GaborImplPixel at, float2 density, int i, int count, float gain, uint seed) {
     float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
-    return GaborImplLayer_of(0, at, density * exp2(1.0214797 * float(i)), (float2)(0.0),
+    return GaborImplLayer_of(at, density * exp2(1.0214797 * float(i)), (float2)(0.0),
                           pow(gain, float(i)) * rsqrt(power), gabor_derived_seed(seed, i));
 }
 
@@ -508,11 +536,15 @@ GaborImplPairs gabor_impl_no_pairs() {
     return GaborImplPairs_of(none, none, none, none, none);
 }
 
-GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, float3 lost) {
+// `whole` is the covariance of the plain field's gradient, and `left` what is left of it.
+GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, float3 whole, float3 left) {
     float2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    float3 lost = (float3)(0.0);
+    if (layer.at.filtered)
+        lost = gabor_impl_turned_square(whole - left, x, y)
+             + gabor_impl_warp_lost(layer.at, layer.density * layer.density * whole.xy);
     return GaborImplPair_of(float3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
-                         float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
-                         gabor_impl_turned_square(lost, x, y));
+                         float3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed, lost);
 }
 
 GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
@@ -521,8 +553,31 @@ GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float ampli
                          sum.lost + amplitude * amplitude * pair.lost);
 }
 
+// What a filter does to a layer. Nearly, the window of a node is a Gaussian of variance v = 3/(2 pi^2), and its wave
+// exp(2 pi i F.d). A filter of covariance S widens the window to v + S, turns the wave vector F into
+// K = (1 + S/v)^-1 F, and leaves the share exp(-6 F.(F - K)) / sqrt(|1 + S/v|) of the variance.
+struct GaborImplKept {
+    float2 wave;
+    float share;
+    float2 widened; // S/v along x and y
+};
+
+GaborImplKept GaborImplKept_of(float2 wave, float share, float2 widened) {
+    GaborImplKept made = {wave, share, widened};
+    return made;
+}
+
+GaborImplKept gabor_impl_kept(GaborImplLayer layer) {
+    float4 steps = gabor_impl_radii(layer.at, layer.density);
+    float3 s = 1.6449341 * (gabor_impl_square(steps.xy) + gabor_impl_square(steps.zw)); // pi^2 / 6
+    float d = (1.0 + s.x) * (1.0 + s.y) - s.z * s.z;
+    float2 wave = ((1.0 + s.yx) * layer.wave - s.z * layer.wave.yx) / d;
+    return GaborImplKept_of(wave, exp(-6.0 * dot(layer.wave, layer.wave - wave)) * rsqrt(d), s.xy);
+}
+
 GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
-    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), (float3)(0.0));
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), (float3)(0.0),
+                           (float3)(0.0));
 }
 
 // A sum and an octave of it.
@@ -532,208 +587,52 @@ GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLayer layer) {
 
 GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
-                           (float3)(0.0));
+                           (float3)(0.0), (float3)(0.0));
 }
 
-#ifdef GABOR_FILTER_HLSL
-// ---- Filtered spots: see gabor_filter.hlsl, with real windows ------------------------------------------------------
-
-// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
-// derivatives of both.
-float4 gabor_impl_spots_node(float value, float slope, float damped, float2 fade) {
-    float window = 0.5 + damped * (value - 0.5);
-    // 9.8696044 is pi^2
-    return float4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
-                -9.8696044 * fade.x * (window - 0.5));
-}
-
-// The nodes of an axis with its words.
-struct GaborImplSpotsAxis {
-    uint3 word;
-    float4 first;
-    float4 middle;
-    float4 last;
-};
-
-GaborImplSpotsAxis GaborImplSpotsAxis_of(uint3 word, float4 first, float4 middle, float4 last) {
-    GaborImplSpotsAxis made = {word, first, middle, last};
-    return made;
-}
-
-GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
-    float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
-    float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05); // pi^2 / 2
-    float2 t = clamp((0.33333333 + 0.66666667 * float2(-offset, offset)) / width, 0.0, 1.0); // 1/3, 2/3
-    float2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * float2(-1.0, 1.0);
-    float4 value, slope;
-    gabor_impl_windows(offset, value, slope);
-    return GaborImplSpotsAxis_of(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                              gabor_impl_spots_node(value.x, slope.x, damped, float2(fade.x, change.x)),
-                              gabor_impl_spots_node(value.y, slope.y, damped, float2(1.0, 0.0)),
-                              gabor_impl_spots_node(value.z, slope.z, damped, float2(fade.y, change.y)));
-}
-
-// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-void gabor_impl_add_spots_row(inout float4 sum, inout float2 along_y, GaborImplSpotsAxis x, uint word, float4 y,
-                              float coupling) {
-    float2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
-    float2 c = gabor_impl_amplitude(x.word.z * word);
-    float4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
-    float4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
-    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z)
-         + coupling * y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * float2(real.x, imaginary.x) + coupling * y.w * float2(real.y, imaginary.y);
-}
-
-// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborImplSpotsLine {
-    uint word;
-    float3 window;
-    float2 fade;
-};
-
-GaborImplSpotsLine GaborImplSpotsLine_of(uint word, float3 window, float2 fade) {
-    GaborImplSpotsLine made = {word, window, fade};
-    return made;
-}
-
-// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-float2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
-    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
-    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_CELLS_PER_RADIUS * sign(d) * (1.0 - t));
-}
-
-GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
-    float2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
-    float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
-    float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborImplSpotsLine_of(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              float3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index));
-}
-
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
-// derivative of its fade.
-struct GaborImplSpotsRow {
-    float3 real;
-    float3 imaginary;
-    float2 edge;
-};
-
-GaborImplSpotsRow GaborImplSpotsRow_of(float3 real, float3 imaginary, float2 edge) {
-    GaborImplSpotsRow made = {real, imaginary, edge};
-    return made;
-}
-
-void gabor_impl_add_spot(inout GaborImplSpotsRow row, GaborImplSpotsLine x, uint row_word) {
-    float2 a = gabor_impl_amplitude(x.word * row_word);
-    row.real += x.fade.x * a.x * x.window;
-    row.imaginary += x.fade.x * a.y * x.window;
-    row.edge += x.fade.y * x.window.x * a;
-}
-
-GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted, uint salt) {
-    float2 m = s.xy + 0.13069097; // 1/3 - 2/pi^2
-    float rho = s.z * rsqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
-    float mixed = 78.956835 * s.z * r / (1.0 + r); // 8 pi^2
-    GaborImplFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                            place.period.x, salt, float2(1.0, 0.0));
-    GaborImplFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
-    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
-    if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
-    float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0), edge_x = (float2)(0.0), edge_y = (float2)(0.0);
-    int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
-    do {
-        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborImplSpotsRow row = GaborImplSpotsRow_of((float3)(0.0), (float3)(0.0), (float2)(0.0));
-        gabor_impl_add_spot(row, x_0, y.word);
-        gabor_impl_add_spot(row, x_1, y.word);
-        gabor_impl_add_spot(row, x_2, y.word);
-        gabor_impl_add_spot(row, x_3, y.word);
-        if (across.count == 5) gabor_impl_add_spot(row, x_4, y.word);
-        float3 w = float3(1.0, mixed, 0.5 * mixed * mixed) * y.window;
-        float2 sum = float2(dot(w, row.real), dot(w, row.imaginary));
-        value += y.fade.x * sum;
-        next_x += y.fade.x * (w.x * float2(row.real.y, row.imaginary.y) - w.y * float2(row.real.z, row.imaginary.z));
-        next_y += y.fade.x * (y.window.y * float2(row.real.x, row.imaginary.x)
-                              - mixed * y.window.z * float2(row.real.y, row.imaginary.y));
-        edge_x += y.fade.x * w.x * row.edge;
-        edge_y += y.fade.y * sum;
-    } while (++j < rows);
-    float2 before = lambda * sqrt(m.yx / m);
-    // 6.2831853 is 2 pi
-    float2 x = edge_x - 6.2831853 * (next_x - before.x * next_y), y = edge_y - 6.2831853 * (next_y - before.y * next_x);
-    float scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField_of(scale * value.y, scale * float2(x.y, y.y), scale * value.x, scale * float2(x.x, y.x), 0.0);
-}
-
-GaborField gabor_impl_spots_narrow(GaborPlace place, float3 s, uint salt) {
-    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y =
-        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
-    float4 sum = (float4)(0.0);
-    float2 along_y = (float2)(0.0);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.y, y.middle, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.z, y.last, s.z);
-    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField_of(scale * sum.y, scale * float2(sum.w, along_y.y), scale * sum.x, scale * float2(sum.z, along_y.x),
-                      0.0);
-}
-
-// The same as gabor_field_filtered with the wave vector 0.
-GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uint seed) {
-    float2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
-    float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted((float2)(0.0), footprint.covariance);
-    float amplitude = sqrt(kept / gabor_impl_transmitted((float2)(0.0), footprint.resolved));
-    GaborField sum = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
-    uint salt = gabor_impl_salt(seed);
-    if (wide < 1.0)
-        gabor_impl_add_field(sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0 - wide) * amplitude,
-                             stretch);
-    if (wide > 0.0)
-        gabor_impl_add_field(sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0, salt), wide * amplitude,
-                             stretch);
-    sum.removed = 1.0 - kept;
-    return sum;
-}
-
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
-// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
-// (1 + 2/3 pi^2 S)^-1 F.
-GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
-    float4 steps = gabor_impl_radii(layer.at, layer.density);
-    float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance; // 2/3 pi^2
-    float3 inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
-    inverse /= inverse.x * inverse.y - a.z * a.z;
-    float3 whole = float3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
-    float3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
-    return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
-}
-
-GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
-    GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    float4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed));
-}
-
+// The same, filtered with the windows of gabor_fractal.hlsl.
 GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    float4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed));
+    GaborImplKept kept = gabor_impl_kept(layer);
+    // 0.34195899 is 27/(8 pi^2)
+    float2 inverse_width = float2(gabor_impl_inverse_width(0.34195899 * kept.widened.x),
+                              gabor_impl_inverse_width(0.34195899 * kept.widened.y));
+    uint salt = gabor_impl_salt(layer.seed);
+    GaborImplLine x =
+        gabor_impl_smooth_line_filtered(place.cell.x, place.local.x, place.period.x, salt, inverse_width.x);
+    GaborImplLine y = gabor_impl_smooth_line_filtered(place.cell.y, place.local.y, place.period.y,
+                                                      salt ^ GABOR_IMPL_ROWS, inverse_width.y);
+    // 1.7777778 is 16/9: see gabor_impl_smooth_line_filtered
+    float scale = sqrt(1.7777778 * kept.share * inverse_width.x * inverse_width.y) / GABOR_IMPL_DEVIATION;
+    float2 value = (float2)(0.0);
+    float4 slope = (float4)(0.0);
+    gabor_impl_add_four_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_four_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_four_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
+    gabor_impl_add_four_spots(value, slope, x, y.word.w, y.even.w, y.even_slope.w);
+    GaborField field = gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius);
+    field.removed = 1.0 - kept.share;
+    // 3.2898681 is pi^2 / 3 and 7.4022033 is 3/4 pi^2; the plain windows have a half-width of 3/2
+    return gabor_impl_pair(layer, field, float3(3.2898681, 3.2898681, 0.0),
+                           float3(7.4022033 * kept.share * inverse_width * inverse_width, 0.0));
 }
 
-void gabor_impl_add_filtered_spots(inout GaborImplPairs sum, GaborImplLayer layer) {
-    GaborImplPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
-    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
+GaborImplPair gabor_impl_plus_filtered_octave(GaborImplPair sum, GaborImplLayer layer) {
+    return gabor_impl_plus(sum, gabor_impl_filtered_spots(layer), layer.amplitude);
 }
-#endif
+
+// Filtered waves have the plain windows: where others would fit better, little is left.
+GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
+    GaborImplKept kept = gabor_impl_kept(layer);
+    GaborField field = GaborField_of(0.0, (float2)(0.0), 0.0, (float2)(0.0), 0.0);
+    gabor_impl_add_field(field, gabor_field(gabor_impl_place(layer.at, layer.density), kept.wave, layer.seed),
+                         sqrt(kept.share), (float2)(1.0));
+    field.removed = 1.0 - kept.share;
+    // 3.2898681 is pi^2 / 3 and 39.478418 is 4 pi^2
+    float3 spots = float3(3.2898681, 3.2898681, 0.0);
+    return gabor_impl_pair(layer, field, spots + 39.478418 * gabor_impl_square(layer.wave),
+                           kept.share * (spots + 39.478418 * gabor_impl_square(kept.wave)));
+}
 
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
@@ -754,6 +653,11 @@ float3 gabor_impl_above(float3 noise, float removed, float threshold, float soft
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
 float gabor_impl_removed_square(float square, float mean, float removed) {
     return removed > 0.0 ? max(square - mean * mean, 0.0) : 0.0;
+}
+
+// The variance that the filter removed of the threshold itself, nearly.
+float gabor_impl_above_variance(float above, float removed, float softness) {
+    return above * (1.0 - above) * removed / (removed + 1.5 * softness * softness);
 }
 
 // The covariance of its slopes that the filter removed.
@@ -791,15 +695,19 @@ float2 gabor_impl_tone(float noise, float removed, float contrast) {
 
 // The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
 // distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
-// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+// sqrt(r). Where d > 3, this is nearly the mean of c X: if all of a colour is so dark, only its first part gets the
+// rest. Materials mix colours after this, so that means remain right.
 float3 gabor_impl_toned(float3 colour, float2 tone) {
     float3 mean = colour * exp(tone.x + 0.5 * tone.y);
     if (tone.y > 0.0) {
         float s = sqrt(tone.y);
-        float3 d = (-tone.x - log(max(colour, 1.0e-6))) / s;
-        if (min(min(d.x, d.y), d.z) < 3.0)
-            for (int i = 0; i < 3; ++i)
-                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+        int parts = max(max(colour.x, colour.y), colour.z) * exp(tone.x + 3.0 * s) > 1.0 ? 3 : 1, i = 0;
+        do { // a loop, because drivers for CPUs run both sides of a branch
+            float d = (-tone.x - log(max(colour.x, 1.0e-6))) / s;
+            mean = float3(mean.yz, mean.x * gabor_impl_below(d - s) + 1.0 - gabor_impl_below(d));
+            colour = colour.yzx;
+        } while (++i < parts);
+        if (parts == 1) mean = mean.zxy;
     }
     return min(mean, 1.0);
 }
@@ -852,8 +760,8 @@ GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood wood, uint seed)
 
 // Pores, fibres and tone.
 GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, uint seed) {
-    if (i == 2) return gabor_impl_spots_layer(2, board, float2(3.5, 0.35), seed, 5);
-    return gabor_impl_spots_layer(i, pixel, i == 0 ? float2(90.0, 4.5) : float2(150.0, 2.0), seed, 3 + i);
+    if (i == 2) return gabor_impl_spots_layer(board, float2(3.5, 0.35), seed, 5);
+    return gabor_impl_spots_layer(pixel, i == 0 ? float2(90.0, 4.5) : float2(150.0, 2.0), seed, 3 + i);
 }
 
 GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, uint seed) {
@@ -861,8 +769,8 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
     float rings = gabor_impl_repeated(board, wood.rings, 1.0).x;
     float3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97 * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
-    float3 ring = gabor_impl_rise(years, float3(kept, 0.0, 0.0));
-    float3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25);
+    float3 rise = gabor_impl_rise(float3(years.x, 1.0, 0.0), float3(kept, 0.0, 0.0)), ring = float3(rise.x, rise.y * years.yz);
+    float3 open = gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1, 0.25), pores = wood.pore_strength * open;
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     float3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
@@ -872,17 +780,21 @@ GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPai
         + late * gabor_impl_toned(wood.latewood_colour, tones)
                 + 0.45 * deep.x * wood.latewood_colour;
     float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.pair_1.second;
-    // Mean square.
+    // Mean squares: of the depth of pores, and of the height's derivative by the rings.
     float depth = 5.76e-6 * wood.pore_strength * wood.pore_strength
         * (within.x * within.x + 0.05 * (1.0 - kept * kept));
-    float3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz)
+    float by_ring = 0.0006 + 0.0018 * pores.x, spread = 3.24e-6 * wood.pore_strength * wood.pore_strength
+        * gabor_impl_above_variance(open.x, of.pair_0.removed, 0.25);
+    float steep = gabor_impl_rise_lost(years.x, kept, 0.97), all_steep = gabor_impl_rise_lost(0.0, 0.0, 0.97);
+    float3 lost = ((by_ring * by_ring + spread) * steep + spread * rise.y * rise.y) * gabor_impl_square(years.yz)
+              + (by_ring * by_ring + spread) * all_steep * gabor_impl_warp_lost(board, float2(rings * rings, 0.0))
               + 4.0e-8 * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
 GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -893,7 +805,7 @@ GaborMaterial gabor_wood_at(float2 p, float2 period, GaborWood wood, uint seed) 
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
-// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
+// The filters of weaves and of leather average samples, and fade to measured means where samples are too few.
 
 // The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
 // dy are the pixel's sides.
@@ -901,14 +813,16 @@ float gabor_impl_sample_spread(float2 dx, float2 dy) {
     return sqrt(0.125 * (dot(dx, dx) + dot(dy, dy)));
 }
 
-// The number of samples for that standard deviation.
-int gabor_impl_samples(float spread) {
-    return spread > 0.001 ? 16 : 1;
+// The number of samples for that standard deviation, 4 or `most`, if they have the share `kept` in the result.
+int gabor_impl_samples(float spread, float kept, int most) {
+    return spread < 0.001 || kept == 0.0 ? 1 : spread < 0.12 ? 4 : most;
 }
 
-// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+// Sample i of 4, 8 or 12 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
 float2 gabor_impl_sample(int i, int count) {
-    float2 at = 0.125 * float2(float(i), float((7 * i + 10) % 16)) - 0.9375;
+    int j = count > 8 ? (5 * i + 4) % 13 : count > 4 ? (5 * i + 2) % 8 : (2 * i + 1) % 5;
+    float2 at = float2(float(i), float(j)) * (2.0 / float(count));
+    at -= 1.0 - 1.0 / float(count);
     return count > 1 ? at * (0.5566 + 0.507 * at * at) : (float2)(0.0);
 }
 
@@ -916,7 +830,8 @@ float2 gabor_impl_sample(int i, int count) {
 // slopes' squares, and becomes their covariance, which fades to `square`.
 void gabor_impl_average(inout float3 height, inout float3 lost, int count, float kept, float mean, float3 square) {
     height = kept / float(count) * height + float3((1.0 - kept) * mean, 0.0, 0.0);
-    lost = count > 1 ? lerp(square, lost / float(count), kept) - gabor_impl_square(height.yz) : (float3)(0.0);
+    lost = count > 1 || kept == 0.0 ? lerp(square, lost / float(count), kept) - gabor_impl_square(height.yz)
+                                    : (float3)(0.0);
 }
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
@@ -929,7 +844,7 @@ GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric fabric, uint s
 GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, float2 count, uint seed) {
     float2 density = i == 0 ? float2(0.7 * count.x, 1.1) : i == 1 ? float2(1.1, 0.7 * count.y)
                  : i == 2 ? float2(14.0, 2.0) * count : float2(2.0, 14.0) * count;
-    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
@@ -970,7 +885,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric 
     float3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
         weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
@@ -1014,7 +929,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric 
 }
 
 GaborMaterial gabor_fabric_at(float2 p, float2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1031,21 +946,21 @@ GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, uint seed) {
 
 // The fibres of tows along y and x.
 GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, float2 count, uint seed) {
-    return gabor_impl_spots_layer(i, cloth, (i == 0 ? float2(20.0, 0.6) : float2(0.6, 20.0)) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, (i == 0 ? float2(20.0, 0.6) : float2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, float2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     float3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     float2 dx = count * cloth.dx, dy = count * cloth.dy;
-    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 1.0, spread);
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0 - smoothstep(0.5, 0.9, spread);
     float unit = fibres.relief / fibres.tows;
     float3 warp = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
     float3 weft = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     float3 height = (float3)(0.0), colour = (float3)(0.0), lost = (float3)(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float3 x = at_x + float3(offset.x, 0.0, 0.0), y = at_y + float3(offset.y, 0.0, 0.0);
@@ -1073,7 +988,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, float2 count, GaborC
 }
 
 GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fibres, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1097,9 +1012,9 @@ GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather leather, uint 
 GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, (float2)(18.0), i, 3, 0.75, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(0.8), seed, 5);
+    if (i == 3) return gabor_impl_spots_layer(pixel, (float2)(0.8), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
-    return gabor_impl_waves_layer(i - 2, skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
+    return gabor_impl_waves_layer(skin, (float2)(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
@@ -1128,10 +1043,10 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     float2 wave_a = gabor_wave_vector(leather.cells, 0.2), wave_b = gabor_wave_vector(leather.cells, 2.2944);
     float2 dx = float2(dot(wave_a, skin.dx), dot(wave_b, skin.dx));
     float2 dy = float2(dot(wave_a, skin.dy), dot(wave_b, skin.dy));
-    float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-30.0 * spread * spread);
+    float spread = gabor_impl_sample_spread(dx, dy), bend = exp(-60.0 * spread * spread);
     float kept = 1.0 - smoothstep(0.4, 0.8, spread), share = 0.0, grains = 0.0;
     float3 height = (float3)(0.0), lost = (float3)(0.0);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 12);
     for (int i = 0; i < samples; ++i) {
         float2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         float2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
@@ -1150,7 +1065,9 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
         height += relief;
         lost += gabor_impl_square(relief.yz);
     }
-    float3 square = leather.cells * leather.cells * float3(0.0027, 0.0024, -0.00012);
+    float3 square = leather.cells * leather.cells * float3(0.00235, 0.00194, -0.0001); // along the skin's axes
+    float3 warped = gabor_impl_warp_lost(skin, square.xy);
+    square = gabor_impl_turned_square(square, skin.by_x, skin.by_y);
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = lerp(0.806, share / float(samples), kept);
@@ -1158,12 +1075,13 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
     float3 colour = lerp(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                       share);
-    lost = leather.relief * leather.relief * (lost + lerp(6.4e-7, grains / float(samples), kept) * of.pair_0.lost);
+    lost += warped + lerp(3.67e-6, grains / float(samples), kept) * of.pair_0.lost;
+    lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
 
 GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1187,10 +1105,10 @@ GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble marble, uint s
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, uint seed) {
     if (i < 3) return gabor_impl_octave(stone, (float2)(1.5), i, 3, 0.6, gabor_derived_seed(seed, 8));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 9);
+    if (i == 3) return gabor_impl_spots_layer(pixel, (float2)(75.0), seed, 9);
     float3 vein = i == 4 ? float3(1.9, 0.95, -0.45) : i == 5 ? float3(0.95, 0.85, 0.65)
               : i == 6 ? float3(4.5, 0.95, 0.95) : float3(13.0, 0.9, 0.2);
-    return gabor_impl_waves_layer(2, stone, (float2)(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
+    return gabor_impl_waves_layer(stone, (float2)(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
@@ -1215,7 +1133,7 @@ void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, 
 }
 
 GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1239,8 +1157,8 @@ GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, uint seed) {
 // Three octaves of large shapes, grains, and ripples.
 GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, uint seed) {
     if (i < 3) return gabor_impl_octave(pixel, (float2)(0.6), i, 3, 0.5, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, (float2)(75.0), seed, 3);
-    return gabor_impl_waves_layer(2, dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
+    if (i == 3) return gabor_impl_spots_layer(pixel, (float2)(75.0), seed, 3);
+    return gabor_impl_waves_layer(dune, float2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
 }
 
 GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
@@ -1267,14 +1185,22 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplP
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     float3 bent = float3(0.4 * ripples.density * ripples.density, 0.0);
     float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    float3 warped = gabor_impl_warp_lost(
+        ripples.at, ripples.density * ripples.density * (0.4 + ripples.wave * ripples.wave));
+    // Mean squares of factors; 0.0888889 is 4/45, the variance of a ripple.
+    float high = tall.x * tall.x + 0.04 * sand.ripple_height * sand.ripple_height * of.pair_0.removed;
+    float by_shape = 0.03 + 0.2 * sand.ripple_height * ripple.x;
+    float varied = 0.04 * sand.ripple_height * sand.ripple_height * 0.0888889 * (1.0 - span * span / 0.81);
     // 7.65625e-5 is 0.00875^2
-    float3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
-              + 0.0009 * of.pair_0.lost + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
+    float3 lost = high * (gabor_impl_rise_lost(phase.x, span, 0.9) * square
+                        + gabor_impl_rise_lost(0.0, 0.0, 0.9) * warped)
+              + (by_shape * by_shape + varied) * of.pair_0.lost
+              + 7.65625e-5 * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
 
 GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1291,7 +1217,7 @@ GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) 
 GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, uint seed) {
     if (i >= 5) return gabor_impl_octave(pixel, (float2)(1.3), i - 5, 6, 0.75, gabor_derived_seed(seed, 5));
     float2 density = float2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
-    return gabor_impl_spots_layer(0, pixel, density, seed, i);
+    return gabor_impl_spots_layer(pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
@@ -1330,7 +1256,7 @@ GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborImplPairs o
 }
 
 GaborMaterial gabor_brushed_metal_at(float2 p, float2 period, GaborBrushedMetal metal, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1353,7 +1279,7 @@ GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScra
     // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, float2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+    return gabor_impl_spots_layer(at, float2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
                                   2 * i + 1);
 }
 
@@ -1367,8 +1293,10 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz;
     float change = gabor_impl_above(float3(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
-    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
-    sum.lost += 1.15 * size * size * (open.x * open.x + change * change * noise.removed)
+    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
+    // a normal law: a fit to amounts from 0.01 to 8.
+    float rare = threshold / 3.85, rarer = rare * rare * rare * rare;
+    sum.lost += 1.2 / (1.0 + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
               * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
 }
 
@@ -1380,7 +1308,7 @@ GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) 
 }
 
 GaborMaterial gabor_scratches_at(float2 p, float2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborMaterial sum = GaborMaterial_of((float3)(1.0), 0.0, (float2)(0.0), 0.0, 0.0, (float3)(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1403,9 +1331,9 @@ float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra zebra, uint 
 GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
                                       GaborZebra zebra, uint seed) {
     // 2.0707963 is 0.5 + pi/2
-    if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), seed, 3);
-    if (i == 1) return gabor_impl_spots_layer(1, pixel, (float2)(1.2), seed, 4);
-    return gabor_impl_waves_layer(2, skin, (float2)(zebra.stripes / 1.4), 1.4, direction, seed, 2);
+    if (i == 0) return gabor_impl_spots_layer(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), seed, 3);
+    if (i == 1) return gabor_impl_spots_layer(pixel, (float2)(1.2), seed, 4);
+    return gabor_impl_waves_layer(skin, (float2)(zebra.stripes / 1.4), 1.4, direction, seed, 2);
 }
 
 GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
@@ -1424,7 +1352,7 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_zebra_at(float2 p, float2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1447,9 +1375,9 @@ GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, GaborImplPixel
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, float2(7.0, 3.5), i, 5, 0.7, gabor_derived_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, at, float2(1.1, 0.7), seed, 6);
-    if (i == 6) return gabor_impl_waves_layer(2, trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
-    return gabor_impl_waves_layer(3, trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
+    if (i == 5) return gabor_impl_spots_layer(at, float2(1.1, 0.7), seed, 6);
+    if (i == 6) return gabor_impl_waves_layer(trunk, float2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
+    return gabor_impl_waves_layer(trunk, float2(1.2, 1.3), 0.9, 1.5, seed, 4);
 }
 
 GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
@@ -1485,7 +1413,7 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_bark_at(float2 p, float2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1513,7 +1441,7 @@ GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel, GaborImplPix
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
                  : i == 6 ? float2(0.25, 2.8333333) : float2(0.6, 8.3333333);
-    return gabor_impl_spots_layer(i - 3, rock, density * float2(1.0, strata.layers), seed, i - 1);
+    return gabor_impl_spots_layer(rock, density * float2(1.0, strata.layers), seed, i - 1);
 }
 
 GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
@@ -1537,7 +1465,7 @@ GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
 }
 
 GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
@@ -1551,55 +1479,59 @@ GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint 
 
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
-#ifdef GABOR_FILTER_HLSL
 GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 3; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
 GaborMaterial gabor_carbon_fibre_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
     of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
     of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
+    GaborImplPair cloud = gabor_impl_no_pair();
+    for (int i = 0; i < 3; ++i)
+        cloud = gabor_impl_plus_filtered_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_filtered_spots(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
         GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
@@ -1608,19 +1540,20 @@ GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 pe
 }
 
 GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
     of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1631,7 +1564,7 @@ GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, fl
 }
 
 GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial_of((float3)(1.0), 0.0, (float2)(0.0), 0.0, 0.0, (float3)(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1640,39 +1573,40 @@ GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2
 }
 
 GaborMaterial gabor_zebra_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
     of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 6; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    for (int j = 6; j < 8; ++j) {
-        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.pair_2 = pair;
-        else of.pair_3 = pair;
-    }
+    for (int i = 0; i < 5; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_filtered_waves(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 8; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    for (int i = 0; i < 4; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_filtered_spots(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
-#endif
 
 // ---- Definitions of the other public functions ---------------------------------------------------------------------
 
@@ -1754,7 +1688,6 @@ GaborMaterial gabor_strata(float2 p, uint seed) {
     return gabor_strata_at(p, (float2)(0.0), gabor_strata_default(), seed);
 }
 
-#ifdef GABOR_FILTER_HLSL
 GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_wood_filtered_at(p, dx, dy, (float2)(0.0), gabor_wood_default(), seed);
 }
@@ -1788,6 +1721,5 @@ GaborMaterial gabor_carbon_fibre_filtered(float2 p, float2 dx, float2 dy, uint s
 GaborMaterial gabor_strata_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_strata_filtered_at(p, dx, dy, (float2)(0.0), gabor_strata_default(), seed);
 }
-#endif
 
 #endif

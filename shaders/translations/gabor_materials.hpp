@@ -1,7 +1,6 @@
 // clang-format off
 // Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
-// Includes gabor_noise.hpp, gabor_spectrum.hpp, gabor_filter.hpp; pasted after their texts, it includes nothing.
-// It can do without gabor_filter.hpp.
+// Includes gabor_noise.hpp, gabor_fractal.hpp, gabor_spectrum.hpp; pasted after their texts, it includes nothing.
 //
 // gabor_materials.hpp: eleven materials from Gabor noise.
 //
@@ -30,16 +29,11 @@
 #ifndef GABOR_NOISE_HPP
 #include "gabor_noise.hpp"
 #endif
+#ifndef GABOR_FRACTAL_HPP
+#include "gabor_fractal.hpp"
+#endif
 #ifndef GABOR_SPECTRUM_HPP
 #include "gabor_spectrum.hpp"
-#endif
-#if !defined(GABOR_FILTER_HPP) && defined(__has_include)
-#if __has_include("gabor_filter.hpp")
-#include "gabor_filter.hpp"
-#endif
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.hpp needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_MATERIALS_HPP
 #define GABOR_MATERIALS_HPP 1
@@ -68,8 +62,9 @@ struct GaborMaterial {
 // GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed)
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
-// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
-// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
+// Far away, their slopes and `lost` have 0.8 to 1.25 times the energy of the plain slopes. `period` is in units of p,
+// vec2(0.0) for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that
+// fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -210,7 +205,7 @@ struct GaborStrata {
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
 // Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and one that shades them. Those that filter are loops, because compilers inline the filter for each call.
+// and one that shades them.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_impl_times(gabor_vec3 a, gabor_vec3 b) {
@@ -231,19 +226,32 @@ GABOR_INLINE gabor_vec3 gabor_impl_turned_square(gabor_vec3 m, gabor_vec2 x, gab
 // ---- Positions -----------------------------------------------------------------------------------------------------
 
 // A position, its derivatives along the plane's x and y, the steps (dx, dy) to the next pixels, which are 0 without a
-// filter, and the period, 0 for none. Warps move it and bend the steps.
+// filter, and the period, 0 for none. Warps move it and bend the steps. A warp that a filter removed still steepens
+// slopes: the gradient of position.x has the mean (by_x.x, by_y.x) and the covariance lost_x, as xx, yy, xy; that of
+// position.y has lost_y, and nearly no covariance with the other.
 struct GaborImplPixel {
     gabor_vec2 position;
     gabor_vec2 by_x;
     gabor_vec2 by_y;
+    bool filtered;
     gabor_vec2 dx;
     gabor_vec2 dy;
     gabor_vec2 period;
+    gabor_vec3 lost_x;
+    gabor_vec3 lost_y;
 };
 
-GABOR_INLINE GaborImplPixel gabor_impl_pixel_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
+GABOR_INLINE GaborImplPixel gabor_impl_pixel(bool filtered, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
     p -= period.x > 0.0f ? period * gabor_cpp_floor(p / period) : gabor_vec2(0.0f);
-    return GaborImplPixel{p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), dx, dy, period};
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
+        dx = gabor_vec2(1.0e3f, 0.0f);
+        dy = gabor_vec2(0.0f, 1.0e3f);
+    }
+    return GaborImplPixel{p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), filtered, dx, dy, period, gabor_vec3(0.0f), gabor_vec3(0.0f)};
+}
+
+GABOR_INLINE GaborImplPixel gabor_impl_point(gabor_vec2 p, gabor_vec2 period) {
+    return gabor_impl_pixel(false, p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -261,38 +269,41 @@ GABOR_INLINE GaborPlace gabor_impl_place(GaborImplPixel at, gabor_vec2 density) 
     return gabor_place_at(density * at.position);
 }
 
-GABOR_INLINE gabor_uvec3 gabor_impl_three_line_words(int index, int period, std::uint32_t salt) {
-    int first = gabor_impl_wrap(index, period), second = gabor_impl_next_node(first, period);
-    return gabor_uvec3(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
-                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
+// Adds a row of three nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+GABOR_INLINE void gabor_impl_add_spots(gabor_vec2& value, gabor_vec4& slope, GaborImplLine x, std::uint32_t word, float even,
+                          float even_slope) {
+    gabor_uvec4 words = x.word * word;
+    gabor_vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
+    gabor_vec2 row = x.even.x * a + x.even.y * b + x.even.z * c;
+    value += even * row;
+    slope += gabor_vec4(even * (x.even_slope.x * a + x.even_slope.y * b + x.even_slope.z * c), even_slope * row);
 }
 
-// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
-GABOR_INLINE void gabor_impl_add_spots(gabor_vec2& value, gabor_vec4& slope, gabor_uvec3 words, gabor_vec4 x, gabor_vec4 slope_x, float y,
-                          float slope_y) {
-    gabor_vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
-    gabor_vec2 row = x.x * a + x.y * b + x.z * c;
-    value += y * row;
-    slope += gabor_vec4(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
+// Adds a row of four nodes.
+GABOR_INLINE void gabor_impl_add_four_spots(gabor_vec2& value, gabor_vec4& slope, GaborImplLine x, std::uint32_t word, float even,
+                               float even_slope) {
+    gabor_impl_add_spots(value, slope, x, word, even, even_slope);
+    gabor_vec2 d = gabor_impl_amplitude(x.word.w * word), last = x.even.w * d;
+    value += even * last;
+    slope += gabor_vec4(even * x.even_slope.w * d, even_slope * last);
+}
+
+GABOR_INLINE GaborField gabor_impl_spots_field(gabor_vec2 value, gabor_vec4 slope, float scale, gabor_vec2 stretch) {
+    return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
 // Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
 GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
-    gabor_vec2 zero = gabor_cpp_floor(place.local + 0.5f), offset = gabor_cpp_clamp(place.local - zero, -0.5f, 0.5f);
     std::uint32_t salt = gabor_impl_salt(seed);
-    gabor_uvec3 columns = gabor_impl_three_line_words(place.cell.x + int(zero.x) - 1, place.period.x, salt);
-    gabor_uvec3 rows = gabor_impl_three_line_words(place.cell.y + int(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
-    gabor_vec4 x, y, slope_x, slope_y;
-    gabor_impl_windows(offset.x, x, slope_x);
-    gabor_impl_windows(offset.y, y, slope_y);
+    GaborImplLine x = gabor_impl_smooth_line(place.cell.x, place.local.x, place.period.x, salt);
+    GaborImplLine y = gabor_impl_smooth_line(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS);
     gabor_vec2 value = gabor_vec2(0.0f);
     gabor_vec4 slope = gabor_vec4(0.0f);
-    gabor_impl_add_spots(value, slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
     float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    gabor_vec2 stretch = scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
+    return gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius / GABOR_CELLS_PER_RADIUS);
 }
 
 // The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density.
@@ -306,15 +317,31 @@ GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborImplPixel at, gabor_vec2 density) 
 GABOR_INLINE GaborImplPixel gabor_impl_warp(GaborImplPixel at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
     gabor_vec4 steps = gabor_impl_radii(at, density);
     float size = gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f), bend = 1.0f / (1.0f + 64.0f * size);
+    gabor_vec2 whole = amplitude * amplitude;
     amplitude /= 1.0f + 0.82246703f * size; // pi^2 / 12
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_derived_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
+    gabor_vec3 lost_x = gabor_vec3(0.0f), lost_y = gabor_vec3(0.0f);
+    if (at.filtered) {
+        gabor_vec2 power = 3.2898681f * density * density; // pi^2 / 3, the noises' mean square gradient
+        gabor_vec3 lost = power.x * (gabor_impl_square(gabor_vec2(at.by_x.x, at.by_y.x)) + at.lost_x)
+                  + power.y * (gabor_impl_square(gabor_vec2(at.by_x.y, at.by_y.y)) + at.lost_y);
+        whole -= amplitude * amplitude;
+        lost_x = (1.0f + along_x.x) * (1.0f + along_x.x) * at.lost_x + along_y.x * along_y.x * at.lost_y + whole.x * lost;
+        lost_y = along_x.y * along_x.y * at.lost_x + (1.0f + along_y.y) * (1.0f + along_y.y) * at.lost_y + whole.y * lost;
+    }
     return GaborImplPixel{at.position + amplitude * gabor_vec2(field.quadrature, field.noise),
                           at.by_x + at.by_x.x * along_x + at.by_x.y * along_y,
-                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y,
+                          at.by_y + at.by_y.x * along_x + at.by_y.y * along_y, at.filtered,
                           at.dx + bend * (at.dx.x * along_x + at.dx.y * along_y),
-                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period};
+                          at.dy + bend * (at.dy.x * along_x + at.dy.y * along_y), at.period, lost_x, lost_y};
+}
+
+// The covariance of the slopes in the plane that warps lost of a layer or profile, whose slopes along the warped axes
+// have these mean squares.
+GABOR_INLINE gabor_vec3 gabor_impl_warp_lost(GaborImplPixel at, gabor_vec2 power) {
+    return power.x * at.lost_x + power.y * at.lost_y;
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -342,8 +369,9 @@ GABOR_INLINE GaborImplPixel gabor_impl_turned(GaborImplPixel at, float angle) {
         y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
     return GaborImplPixel{gabor_vec2(gabor_cpp_dot(x, at.position), gabor_cpp_dot(y, at.position)), gabor_vec2(gabor_cpp_dot(x, at.by_x), gabor_cpp_dot(y, at.by_x)),
-                          gabor_vec2(gabor_cpp_dot(x, at.by_y), gabor_cpp_dot(y, at.by_y)), gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)),
-                          gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period};
+                          gabor_vec2(gabor_cpp_dot(x, at.by_y), gabor_cpp_dot(y, at.by_y)), at.filtered,
+                          gabor_vec2(gabor_cpp_dot(x, at.dx), gabor_cpp_dot(y, at.dx)), gabor_vec2(gabor_cpp_dot(x, at.dy), gabor_cpp_dot(y, at.dy)), period,
+                          x.x * x.x * at.lost_x + x.y * x.y * at.lost_y, y.x * y.x * at.lost_x + y.y * y.y * at.lost_y};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -361,10 +389,9 @@ GABOR_INLINE float gabor_impl_sine_kept(GaborImplPixel at, float count) {
 
 // ---- Layers --------------------------------------------------------------------------------------------------------
 
-// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
-// `amplitude`, to pair `slot` of a material.
+// A noise with `density` kernel radii per unit along x and y, a wave vector per kernel radius, and its amplitude in a
+// sum.
 struct GaborImplLayer {
-    int slot;
     GaborImplPixel at;
     gabor_vec2 density;
     gabor_vec2 wave;
@@ -373,13 +400,13 @@ struct GaborImplLayer {
 };
 
 // A layer of frequency 0.
-GABOR_INLINE GaborImplLayer gabor_impl_spots_layer(int slot, GaborImplPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
-    return GaborImplLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_derived_seed(seed, index)};
+GABOR_INLINE GaborImplLayer gabor_impl_spots_layer(GaborImplPixel at, gabor_vec2 density, std::uint32_t seed, int index) {
+    return GaborImplLayer{at, density, gabor_vec2(0.0f), 1.0f, gabor_derived_seed(seed, index)};
 }
 
-GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, gabor_vec2 density, float frequency, float orientation,
+GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(GaborImplPixel at, gabor_vec2 density, float frequency, float orientation,
                                       std::uint32_t seed, int index) {
-    return GaborImplLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f,
+    return GaborImplLayer{at, density, gabor_wave_vector(frequency, orientation), 1.0f,
                           gabor_derived_seed(seed, index)};
 }
 
@@ -387,7 +414,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_waves_layer(int slot, GaborImplPixel at, 
 GABOR_INLINE GaborImplLayer gabor_impl_octave(GaborImplPixel at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
     float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
     // 1.0214797 is ln 2.03 / ln 2
-    return GaborImplLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
+    return GaborImplLayer{at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f),
                           gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power), gabor_derived_seed(seed, i)};
 }
 
@@ -418,11 +445,15 @@ GABOR_INLINE GaborImplPairs gabor_impl_no_pairs() {
     return GaborImplPairs{none, none, none, none, none};
 }
 
-GABOR_INLINE GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, gabor_vec3 lost) {
+// `whole` is the covariance of the plain field's gradient, and `left` what is left of it.
+GABOR_INLINE GaborImplPair gabor_impl_pair(GaborImplLayer layer, GaborField field, gabor_vec3 whole, gabor_vec3 left) {
     gabor_vec2 x = layer.density * layer.at.by_x, y = layer.density * layer.at.by_y;
+    gabor_vec3 lost = gabor_vec3(0.0f);
+    if (layer.at.filtered)
+        lost = gabor_impl_turned_square(whole - left, x, y)
+             + gabor_impl_warp_lost(layer.at, layer.density * layer.density * whole.xy());
     return GaborImplPair{gabor_vec3(field.quadrature, gabor_cpp_dot(field.quadrature_gradient, x), gabor_cpp_dot(field.quadrature_gradient, y)),
-                         gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
-                         gabor_impl_turned_square(lost, x, y)};
+                         gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed, lost};
 }
 
 GABOR_INLINE GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair, float amplitude) {
@@ -431,8 +462,26 @@ GABOR_INLINE GaborImplPair gabor_impl_plus(GaborImplPair sum, GaborImplPair pair
                          sum.lost + amplitude * amplitude * pair.lost};
 }
 
+// What a filter does to a layer. Nearly, the window of a node is a Gaussian of variance v = 3/(2 pi^2), and its wave
+// exp(2 pi i F.d). A filter of covariance S widens the window to v + S, turns the wave vector F into
+// K = (1 + S/v)^-1 F, and leaves the share exp(-6 F.(F - K)) / sqrt(|1 + S/v|) of the variance.
+struct GaborImplKept {
+    gabor_vec2 wave;
+    float share;
+    gabor_vec2 widened; // S/v along x and y
+};
+
+GABOR_INLINE GaborImplKept gabor_impl_kept(GaborImplLayer layer) {
+    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
+    gabor_vec3 s = 1.6449341f * (gabor_impl_square(steps.xy()) + gabor_impl_square(steps.zw())); // pi^2 / 6
+    float d = (1.0f + s.x) * (1.0f + s.y) - s.z * s.z;
+    gabor_vec2 wave = ((1.0f + s.yx()) * layer.wave - s.z * layer.wave.yx()) / d;
+    return GaborImplKept{wave, gabor_cpp_exp(-6.0f * gabor_cpp_dot(layer.wave, layer.wave - wave)) * gabor_cpp_inversesqrt(d), s.xy()};
+}
+
 GABOR_INLINE GaborImplPair gabor_impl_spots_pair(GaborImplLayer layer) {
-    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), gabor_vec3(0.0f));
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), gabor_vec3(0.0f),
+                           gabor_vec3(0.0f));
 }
 
 // A sum and an octave of it.
@@ -442,193 +491,52 @@ GABOR_INLINE GaborImplPair gabor_impl_plus_octave(GaborImplPair sum, GaborImplLa
 
 GABOR_INLINE GaborImplPair gabor_impl_waves_pair(GaborImplLayer layer) {
     return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
-                           gabor_vec3(0.0f));
+                           gabor_vec3(0.0f), gabor_vec3(0.0f));
 }
 
-#ifdef GABOR_FILTER_HPP
-// ---- Filtered spots: see gabor_filter.hpp, with real windows ------------------------------------------------------
-
-// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
-// derivatives of both.
-GABOR_INLINE gabor_vec4 gabor_impl_spots_node(float value, float slope, float damped, gabor_vec2 fade) {
-    float window = 0.5f + damped * (value - 0.5f);
-    // 9.8696044 is pi^2
-    return gabor_vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
-                -9.8696044f * fade.x * (window - 0.5f));
-}
-
-// The nodes of an axis with its words.
-struct GaborImplSpotsAxis {
-    gabor_uvec3 word;
-    gabor_vec4 first;
-    gabor_vec4 middle;
-    gabor_vec4 last;
-};
-
-GABOR_INLINE GaborImplSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, std::uint32_t salt, float variance) {
-    float zero = gabor_cpp_floor(local + 0.5f), offset = gabor_cpp_clamp(local - zero, -0.5f, 0.5f);
-    float damped = gabor_cpp_exp(-4.934802f * variance), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f); // pi^2 / 2
-    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-offset, offset)) / width, 0.0f, 1.0f); // 1/3, 2/3
-    gabor_vec2 fade = t * t * (3.0f - 2.0f * t), change = 6.0f / width * t * (1.0f - t) * gabor_vec2(-1.0f, 1.0f);
-    gabor_vec4 value, slope;
-    gabor_impl_windows(offset, value, slope);
-    return GaborImplSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
-                              gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
-                              gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
-                              gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
-}
-
-// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
-GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborImplSpotsAxis x, std::uint32_t word, gabor_vec4 y,
-                              float coupling) {
-    gabor_vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
-    gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
-    gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
-    gabor_vec4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
-    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z)
-         + coupling * y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * gabor_vec2(real.x, imaginary.x) + coupling * y.w * gabor_vec2(real.y, imaginary.y);
-}
-
-// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
-struct GaborImplSpotsLine {
-    std::uint32_t word;
-    gabor_vec3 window;
-    gabor_vec2 fade;
-};
-
-// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
-GABOR_INLINE gabor_vec2 gabor_impl_spots_fade(GaborImplFilteredAxis b, int index) {
-    float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
-    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_CELLS_PER_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
-}
-
-GABOR_INLINE GaborImplSpotsLine gabor_impl_spots_line(GaborImplFilteredAxis b, int index) {
-    gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * (b.offset - float(index)));
-    gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
-    float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
-    return GaborImplSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
-                              gabor_vec3(real.x, imaginary, real.z), gabor_impl_spots_fade(b, index)};
-}
-
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
-// derivative of its fade.
-struct GaborImplSpotsRow {
-    gabor_vec3 real;
-    gabor_vec3 imaginary;
-    gabor_vec2 edge;
-};
-
-GABOR_INLINE void gabor_impl_add_spot(GaborImplSpotsRow& row, GaborImplSpotsLine x, std::uint32_t row_word) {
-    gabor_vec2 a = gabor_impl_amplitude(x.word * row_word);
-    row.real += x.fade.x * a.x * x.window;
-    row.imaginary += x.fade.x * a.y * x.window;
-    row.edge += x.fade.y * x.window.x * a;
-}
-
-GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bool wanted, std::uint32_t salt) {
-    gabor_vec2 m = s.xy() + 0.13069097f; // 1/3 - 2/pi^2
-    float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
-    float mixed = 78.956835f * s.z * r / (1.0f + r); // 8 pi^2
-    GaborImplFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
-                                                            place.period.x, salt, gabor_vec2(1.0f, 0.0f));
-    GaborImplFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
-                                                           place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
-    GaborImplSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
-    GaborImplSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
-    if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
-    gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
-    int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
-    do {
-        GaborImplSpotsLine y = gabor_impl_spots_line(along, j);
-        GaborImplSpotsRow row = GaborImplSpotsRow{gabor_vec3(0.0f), gabor_vec3(0.0f), gabor_vec2(0.0f)};
-        gabor_impl_add_spot(row, x_0, y.word);
-        gabor_impl_add_spot(row, x_1, y.word);
-        gabor_impl_add_spot(row, x_2, y.word);
-        gabor_impl_add_spot(row, x_3, y.word);
-        if (across.count == 5) gabor_impl_add_spot(row, x_4, y.word);
-        gabor_vec3 w = gabor_vec3(1.0f, mixed, 0.5f * mixed * mixed) * y.window;
-        gabor_vec2 sum = gabor_vec2(gabor_cpp_dot(w, row.real), gabor_cpp_dot(w, row.imaginary));
-        value += y.fade.x * sum;
-        next_x += y.fade.x * (w.x * gabor_vec2(row.real.y, row.imaginary.y) - w.y * gabor_vec2(row.real.z, row.imaginary.z));
-        next_y += y.fade.x * (y.window.y * gabor_vec2(row.real.x, row.imaginary.x)
-                              - mixed * y.window.z * gabor_vec2(row.real.y, row.imaginary.y));
-        edge_x += y.fade.x * w.x * row.edge;
-        edge_y += y.fade.y * sum;
-    } while (++j < rows);
-    gabor_vec2 before = lambda * gabor_cpp_sqrt(m.yx() / m);
-    // 6.2831853 is 2 pi
-    gabor_vec2 x = edge_x - 6.2831853f * (next_x - before.x * next_y), y = edge_y - 6.2831853f * (next_y - before.y * next_x);
-    float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * value.y, scale * gabor_vec2(x.y, y.y), scale * value.x, scale * gabor_vec2(x.x, y.x), 0.0f};
-}
-
-GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, std::uint32_t salt) {
-    GaborImplSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborImplSpotsAxis y =
-        gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
-    gabor_vec4 sum = gabor_vec4(0.0f);
-    gabor_vec2 along_y = gabor_vec2(0.0f);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.y, y.middle, s.z);
-    gabor_impl_add_spots_row(sum, along_y, x, y.word.z, y.last, s.z);
-    float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * sum.y, scale * gabor_vec2(sum.w, along_y.y), scale * sum.x, scale * gabor_vec2(sum.z, along_y.x),
-                      0.0f};
-}
-
-// The same as gabor_field_filtered with the wave vector 0.
-GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    gabor_vec2 stretch = place.cells_per_radius / GABOR_CELLS_PER_RADIUS;
-    GaborImplFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
-    float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(gabor_vec2(0.0f), footprint.covariance);
-    float amplitude = gabor_cpp_sqrt(kept / gabor_impl_transmitted(gabor_vec2(0.0f), footprint.resolved));
-    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
-    std::uint32_t salt = gabor_impl_salt(seed);
-    if (wide < 1.0f)
-        gabor_impl_add_field(sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0f - wide) * amplitude,
-                             stretch);
-    if (wide > 0.0f)
-        gabor_impl_add_field(sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0f, salt), wide * amplitude,
-                             stretch);
-    sum.removed = 1.0f - kept;
-    return sum;
-}
-
-// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted.
-// The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector
-// (1 + 2/3 pi^2 S)^-1 F.
-GABOR_INLINE GaborImplPair gabor_impl_filtered_pair(GaborImplLayer layer, GaborField field) {
-    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance; // 2/3 pi^2
-    gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
-    inverse /= inverse.x * inverse.y - a.z * a.z;
-    gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave); // pi^2 / 3, 4 pi^2
-    gabor_vec3 left = 3.2898681f * inverse + 39.478418f * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
-    return gabor_impl_pair(layer, field, whole - (1.0f - field.removed) * left);
-}
-
-GABOR_INLINE GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
-    GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_field_filtered(place, steps.xy(), steps.zw(), layer.wave, layer.seed));
-}
-
+// The same, filtered with the windows of gabor_fractal.hpp.
 GABOR_INLINE GaborImplPair gabor_impl_filtered_spots(GaborImplLayer layer) {
     GaborPlace place = gabor_impl_place(layer.at, layer.density);
-    gabor_vec4 steps = gabor_impl_radii(layer.at, layer.density);
-    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy(), steps.zw(), layer.seed));
+    GaborImplKept kept = gabor_impl_kept(layer);
+    // 0.34195899 is 27/(8 pi^2)
+    gabor_vec2 inverse_width = gabor_vec2(gabor_impl_inverse_width(0.34195899f * kept.widened.x),
+                              gabor_impl_inverse_width(0.34195899f * kept.widened.y));
+    std::uint32_t salt = gabor_impl_salt(layer.seed);
+    GaborImplLine x =
+        gabor_impl_smooth_line_filtered(place.cell.x, place.local.x, place.period.x, salt, inverse_width.x);
+    GaborImplLine y = gabor_impl_smooth_line_filtered(place.cell.y, place.local.y, place.period.y,
+                                                      salt ^ GABOR_IMPL_ROWS, inverse_width.y);
+    // 1.7777778 is 16/9: see gabor_impl_smooth_line_filtered
+    float scale = gabor_cpp_sqrt(1.7777778f * kept.share * inverse_width.x * inverse_width.y) / GABOR_IMPL_DEVIATION;
+    gabor_vec2 value = gabor_vec2(0.0f);
+    gabor_vec4 slope = gabor_vec4(0.0f);
+    gabor_impl_add_four_spots(value, slope, x, y.word.x, y.even.x, y.even_slope.x);
+    gabor_impl_add_four_spots(value, slope, x, y.word.y, y.even.y, y.even_slope.y);
+    gabor_impl_add_four_spots(value, slope, x, y.word.z, y.even.z, y.even_slope.z);
+    gabor_impl_add_four_spots(value, slope, x, y.word.w, y.even.w, y.even_slope.w);
+    GaborField field = gabor_impl_spots_field(value, slope, scale, scale * place.cells_per_radius);
+    field.removed = 1.0f - kept.share;
+    // 3.2898681 is pi^2 / 3 and 7.4022033 is 3/4 pi^2; the plain windows have a half-width of 3/2
+    return gabor_impl_pair(layer, field, gabor_vec3(3.2898681f, 3.2898681f, 0.0f),
+                           gabor_vec3(7.4022033f * kept.share * inverse_width * inverse_width, 0.0f));
 }
 
-GABOR_INLINE void gabor_impl_add_filtered_spots(GaborImplPairs& sum, GaborImplLayer layer) {
-    GaborImplPair pair = gabor_impl_filtered_spots(layer);
-    if (layer.slot == 0) sum.pair_0 = gabor_impl_plus(sum.pair_0, pair, layer.amplitude);
-    else if (layer.slot == 1) sum.pair_1 = gabor_impl_plus(sum.pair_1, pair, layer.amplitude);
-    else if (layer.slot == 2) sum.pair_2 = gabor_impl_plus(sum.pair_2, pair, layer.amplitude);
-    else if (layer.slot == 3) sum.pair_3 = gabor_impl_plus(sum.pair_3, pair, layer.amplitude);
-    else sum.pair_4 = gabor_impl_plus(sum.pair_4, pair, layer.amplitude);
+GABOR_INLINE GaborImplPair gabor_impl_plus_filtered_octave(GaborImplPair sum, GaborImplLayer layer) {
+    return gabor_impl_plus(sum, gabor_impl_filtered_spots(layer), layer.amplitude);
 }
-#endif
+
+// Filtered waves have the plain windows: where others would fit better, little is left.
+GABOR_INLINE GaborImplPair gabor_impl_filtered_waves(GaborImplLayer layer) {
+    GaborImplKept kept = gabor_impl_kept(layer);
+    GaborField field = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    gabor_impl_add_field(field, gabor_field(gabor_impl_place(layer.at, layer.density), kept.wave, layer.seed),
+                         gabor_cpp_sqrt(kept.share), gabor_vec2(1.0f));
+    field.removed = 1.0f - kept.share;
+    // 3.2898681 is pi^2 / 3 and 39.478418 is 4 pi^2
+    gabor_vec3 spots = gabor_vec3(3.2898681f, 3.2898681f, 0.0f);
+    return gabor_impl_pair(layer, field, spots + 39.478418f * gabor_impl_square(layer.wave),
+                           kept.share * (spots + 39.478418f * gabor_impl_square(kept.wave)));
+}
 
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
@@ -649,6 +557,11 @@ GABOR_INLINE gabor_vec3 gabor_impl_above(gabor_vec3 noise, float removed, float 
 // What the filter removed of a mean square: 0 without a filter, in spite of rounding.
 GABOR_INLINE float gabor_impl_removed_square(float square, float mean, float removed) {
     return removed > 0.0f ? gabor_cpp_max(square - mean * mean, 0.0f) : 0.0f;
+}
+
+// The variance that the filter removed of the threshold itself, nearly.
+GABOR_INLINE float gabor_impl_above_variance(float above, float removed, float softness) {
+    return above * (1.0f - above) * removed / (removed + 1.5f * softness * softness);
 }
 
 // The covariance of its slopes that the filter removed.
@@ -686,15 +599,19 @@ GABOR_INLINE gabor_vec2 gabor_impl_tone(float noise, float removed, float contra
 
 // The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
 // distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
-// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+// sqrt(r). Where d > 3, this is nearly the mean of c X: if all of a colour is so dark, only its first part gets the
+// rest. Materials mix colours after this, so that means remain right.
 GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     gabor_vec3 mean = colour * gabor_cpp_exp(tone.x + 0.5f * tone.y);
     if (tone.y > 0.0f) {
         float s = gabor_cpp_sqrt(tone.y);
-        gabor_vec3 d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour, 1.0e-6f))) / s;
-        if (gabor_cpp_min(gabor_cpp_min(d.x, d.y), d.z) < 3.0f)
-            for (int i = 0; i < 3; ++i)
-                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
+        int parts = gabor_cpp_max(gabor_cpp_max(colour.x, colour.y), colour.z) * gabor_cpp_exp(tone.x + 3.0f * s) > 1.0f ? 3 : 1, i = 0;
+        do { // a loop, because drivers for CPUs run both sides of a branch
+            float d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour.x, 1.0e-6f))) / s;
+            mean = gabor_vec3(mean.yz(), mean.x * gabor_impl_below(d - s) + 1.0f - gabor_impl_below(d));
+            colour = colour.yzx();
+        } while (++i < parts);
+        if (parts == 1) mean = mean.zxy();
     }
     return gabor_cpp_min(mean, 1.0f);
 }
@@ -747,8 +664,8 @@ GABOR_INLINE GaborImplPixel gabor_impl_board(GaborImplPixel pixel, GaborWood woo
 
 // Pores, fibres and tone.
 GABOR_INLINE GaborImplLayer gabor_impl_wood_layer(int i, GaborImplPixel pixel, GaborImplPixel board, std::uint32_t seed) {
-    if (i == 2) return gabor_impl_spots_layer(2, board, gabor_vec2(3.5f, 0.35f), seed, 5);
-    return gabor_impl_spots_layer(i, pixel, i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed, 3 + i);
+    if (i == 2) return gabor_impl_spots_layer(board, gabor_vec2(3.5f, 0.35f), seed, 5);
+    return gabor_impl_spots_layer(pixel, i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed, 3 + i);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood, GaborImplPairs of, std::uint32_t seed) {
@@ -756,8 +673,8 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood,
     float rings = gabor_impl_repeated(board, wood.rings, 1.0f).x;
     gabor_vec3 years = rings * gabor_impl_along_x(board); // the number of rings up to here
     float kept = 0.97f * gabor_impl_sine_kept(board, rings); // amplitude of the rings' wave
-    gabor_vec3 ring = gabor_impl_rise(years, gabor_vec3(kept, 0.0f, 0.0f));
-    gabor_vec3 pores = wood.pore_strength * gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1f, 0.25f);
+    gabor_vec3 rise = gabor_impl_rise(gabor_vec3(years.x, 1.0f, 0.0f), gabor_vec3(kept, 0.0f, 0.0f)), ring = gabor_vec3(rise.x, rise.y * years.yz());
+    gabor_vec3 open = gabor_impl_above(of.pair_0.second, of.pair_0.removed, 1.1f, 0.25f), pores = wood.pore_strength * open;
     gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
     gabor_vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
@@ -767,17 +684,21 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborImplPixel board, GaborWood wood,
         + late * gabor_impl_toned(wood.latewood_colour, tones)
                 + 0.45f * deep.x * wood.latewood_colour;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.pair_1.second;
-    // Mean square.
+    // Mean squares: of the depth of pores, and of the height's derivative by the rings.
     float depth = 5.76e-6f * wood.pore_strength * wood.pore_strength
         * (within.x * within.x + 0.05f * (1.0f - kept * kept));
-    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz())
+    float by_ring = 0.0006f + 0.0018f * pores.x, spread = 3.24e-6f * wood.pore_strength * wood.pore_strength
+        * gabor_impl_above_variance(open.x, of.pair_0.removed, 0.25f);
+    float steep = gabor_impl_rise_lost(years.x, kept, 0.97f), all_steep = gabor_impl_rise_lost(0.0f, 0.0f, 0.97f);
+    gabor_vec3 lost = ((by_ring * by_ring + spread) * steep + spread * rise.y * rise.y) * gabor_impl_square(years.yz())
+              + (by_ring * by_ring + spread) * all_steep * gabor_impl_warp_lost(board, gabor_vec2(rings * rings, 0.0f))
               + 4.0e-8f * of.pair_1.lost
               + depth * gabor_impl_above_lost(of.pair_0.second, of.pair_0.removed, of.pair_0.lost, 1.1f, 0.25f);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -788,7 +709,7 @@ GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborW
 
 // ---- Samples -------------------------------------------------------------------------------------------------------
 //
-// The filters of weaves and of leather average 16 samples, and fade to measured means where samples are too few.
+// The filters of weaves and of leather average samples, and fade to measured means where samples are too few.
 
 // The standard deviation of positions within a pixel: the root of the mean of their variances along x and y. dx and
 // dy are the pixel's sides.
@@ -796,14 +717,16 @@ GABOR_INLINE float gabor_impl_sample_spread(gabor_vec2 dx, gabor_vec2 dy) {
     return gabor_cpp_sqrt(0.125f * (gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy)));
 }
 
-// The number of samples for that standard deviation.
-GABOR_INLINE int gabor_impl_samples(float spread) {
-    return spread > 0.001f ? 16 : 1;
+// The number of samples for that standard deviation, 4 or `most`, if they have the share `kept` in the result.
+GABOR_INLINE int gabor_impl_samples(float spread, float kept, int most) {
+    return spread < 0.001f || kept == 0.0f ? 1 : spread < 0.12f ? 4 : most;
 }
 
-// Sample i of 16 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
+// Sample i of 4, 8 or 12 in steps (dx, dy) from the middle of the pixel: quantiles of a normal distribution.
 GABOR_INLINE gabor_vec2 gabor_impl_sample(int i, int count) {
-    gabor_vec2 at = 0.125f * gabor_vec2(float(i), float((7 * i + 10) % 16)) - 0.9375f;
+    int j = count > 8 ? (5 * i + 4) % 13 : count > 4 ? (5 * i + 2) % 8 : (2 * i + 1) % 5;
+    gabor_vec2 at = gabor_vec2(float(i), float(j)) * (2.0f / float(count));
+    at -= 1.0f - 1.0f / float(count);
     return count > 1 ? at * (0.5566f + 0.507f * at * at) : gabor_vec2(0.0f);
 }
 
@@ -811,7 +734,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_sample(int i, int count) {
 // slopes' squares, and becomes their covariance, which fades to `square`.
 GABOR_INLINE void gabor_impl_average(gabor_vec3& height, gabor_vec3& lost, int count, float kept, float mean, gabor_vec3 square) {
     height = kept / float(count) * height + gabor_vec3((1.0f - kept) * mean, 0.0f, 0.0f);
-    lost = count > 1 ? gabor_cpp_mix(square, lost / float(count), kept) - gabor_impl_square(height.yz()) : gabor_vec3(0.0f);
+    lost = count > 1 || kept == 0.0f ? gabor_cpp_mix(square, lost / float(count), kept) - gabor_impl_square(height.yz())
+                                    : gabor_vec3(0.0f);
 }
 
 // ---- Weaves --------------------------------------------------------------------------------------------------------
@@ -824,7 +748,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_cloth(GaborImplPixel pixel, GaborFabric f
 GABOR_INLINE GaborImplLayer gabor_impl_fabric_layer(int i, GaborImplPixel cloth, gabor_vec2 count, std::uint32_t seed) {
     gabor_vec2 density = i == 0 ? gabor_vec2(0.7f * count.x, 1.1f) : i == 1 ? gabor_vec2(1.1f, 0.7f * count.y)
                  : i == 2 ? gabor_vec2(14.0f, 2.0f) * count : gabor_vec2(2.0f, 14.0f) * count;
-    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, density, seed, 1 + i);
 }
 
 // Threads per unit; a weave repeats after 2, 4 or 16 of them.
@@ -865,7 +789,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
     gabor_vec3 warp = gabor_impl_toned(fabric.warp_colour, warp_tones),
         weft = gabor_impl_toned(fabric.weft_colour, weft_tones);
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
@@ -909,7 +833,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -926,21 +850,21 @@ GABOR_INLINE GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, std::uint32_t
 
 // The fibres of tows along y and x.
 GABOR_INLINE GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, gabor_vec2 count, std::uint32_t seed) {
-    return gabor_impl_spots_layer(i, cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_vec2 count, GaborCarbonFibre fibres, GaborImplPairs of) {
     gabor_vec3 at_x = count.x * gabor_impl_along_x(cloth), at_y = count.y * gabor_impl_along_y(cloth);
     gabor_vec2 dx = count * cloth.dx, dy = count * cloth.dy;
-    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 1.0f, spread);
+    float spread = gabor_impl_sample_spread(dx, dy), kept = 1.0f - gabor_cpp_smoothstep(0.5f, 0.9f, spread);
     float unit = fibres.relief / fibres.tows;
     gabor_vec3 warp = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, fibres.fibre_contrast));
     gabor_vec3 weft = gabor_impl_toned(fibres.colour,
                                  gabor_impl_tone(of.pair_1.first.x, of.pair_1.removed, fibres.fibre_contrast));
     gabor_vec3 height = gabor_vec3(0.0f), colour = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 8);
     for (int i = 0; i < samples; ++i) {
         gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec3 x = at_x + gabor_vec3(offset.x, 0.0f, 0.0f), y = at_y + gabor_vec3(offset.y, 0.0f, 0.0f);
@@ -968,7 +892,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period, GaborCarbonFibre fibres, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -992,9 +916,9 @@ GABOR_INLINE GaborImplPixel gabor_impl_skin(GaborImplPixel pixel, GaborLeather l
 GABOR_INLINE GaborImplLayer gabor_impl_leather_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, GaborLeather leather,
                                         std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(18.0f), i, 3, 0.75f, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(0.8f), seed, 5);
+    if (i == 3) return gabor_impl_spots_layer(pixel, gabor_vec2(0.8f), seed, 5);
     // 2.2944 is 0.2 + 2/3 pi
-    return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
+    return gabor_impl_waves_layer(skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
 }
 
 // Waves at an offset: their envelope moves along its slope, and the phase turns.
@@ -1023,10 +947,10 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
     gabor_vec2 wave_a = gabor_wave_vector(leather.cells, 0.2f), wave_b = gabor_wave_vector(leather.cells, 2.2944f);
     gabor_vec2 dx = gabor_vec2(gabor_cpp_dot(wave_a, skin.dx), gabor_cpp_dot(wave_b, skin.dx));
     gabor_vec2 dy = gabor_vec2(gabor_cpp_dot(wave_a, skin.dy), gabor_cpp_dot(wave_b, skin.dy));
-    float spread = gabor_impl_sample_spread(dx, dy), bend = gabor_cpp_exp(-30.0f * spread * spread);
+    float spread = gabor_impl_sample_spread(dx, dy), bend = gabor_cpp_exp(-60.0f * spread * spread);
     float kept = 1.0f - gabor_cpp_smoothstep(0.4f, 0.8f, spread), share = 0.0f, grains = 0.0f;
     gabor_vec3 height = gabor_vec3(0.0f), lost = gabor_vec3(0.0f);
-    int samples = gabor_impl_samples(spread);
+    int samples = gabor_impl_samples(spread, kept, 12);
     for (int i = 0; i < samples; ++i) {
         gabor_vec2 at = gabor_impl_sample(i, samples), offset = at.x * dx + at.y * dy;
         gabor_vec2 further = bend * (at.x * pixel.dx + at.y * pixel.dy);
@@ -1045,7 +969,9 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
         height += relief;
         lost += gabor_impl_square(relief.yz());
     }
-    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.0027f, 0.0024f, -0.00012f);
+    gabor_vec3 square = leather.cells * leather.cells * gabor_vec3(0.00235f, 0.00194f, -0.0001f); // along the skin's axes
+    gabor_vec3 warped = gabor_impl_warp_lost(skin, square.xy());
+    square = gabor_impl_turned_square(square, skin.by_x, skin.by_y);
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
@@ -1053,12 +979,13 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
                + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                       share);
-    lost = leather.relief * leather.relief * (lost + gabor_cpp_mix(6.4e-7f, grains / float(samples), kept) * of.pair_0.lost);
+    lost += warped + gabor_cpp_mix(3.67e-6f, grains / float(samples), kept) * of.pair_0.lost;
+    lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1082,10 +1009,10 @@ GABOR_INLINE GaborImplPixel gabor_impl_stone(GaborImplPixel pixel, GaborMarble m
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 GABOR_INLINE GaborImplLayer gabor_impl_marble_layer(int i, GaborImplPixel pixel, GaborImplPixel stone, std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_derived_seed(seed, 8));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 9);
+    if (i == 3) return gabor_impl_spots_layer(pixel, gabor_vec2(75.0f), seed, 9);
     gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
               : i == 6 ? gabor_vec3(4.5f, 0.95f, 0.95f) : gabor_vec3(13.0f, 0.9f, 0.2f);
-    return gabor_impl_waves_layer(2, stone, gabor_vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
+    return gabor_impl_waves_layer(stone, gabor_vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborImplPair crystal) {
@@ -1110,7 +1037,7 @@ GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble,
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1134,8 +1061,8 @@ GABOR_INLINE GaborImplPixel gabor_impl_dune(GaborImplPixel pixel, std::uint32_t 
 // Three octaves of large shapes, grains, and ripples.
 GABOR_INLINE GaborImplLayer gabor_impl_sand_layer(int i, GaborImplPixel pixel, GaborImplPixel dune, GaborSand sand, std::uint32_t seed) {
     if (i < 3) return gabor_impl_octave(pixel, gabor_vec2(0.6f), i, 3, 0.5f, gabor_derived_seed(seed, 4));
-    if (i == 3) return gabor_impl_spots_layer(1, pixel, gabor_vec2(75.0f), seed, 3);
-    return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
+    if (i == 3) return gabor_impl_spots_layer(pixel, gabor_vec2(75.0f), seed, 3);
+    return gabor_impl_waves_layer(dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripples, GaborImplPairs of) {
@@ -1162,14 +1089,22 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborImplLayer ripple
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
     gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
     gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.by_x, ripples.at.by_y);
+    gabor_vec3 warped = gabor_impl_warp_lost(
+        ripples.at, ripples.density * ripples.density * (0.4f + ripples.wave * ripples.wave));
+    // Mean squares of factors; 0.0888889 is 4/45, the variance of a ripple.
+    float high = tall.x * tall.x + 0.04f * sand.ripple_height * sand.ripple_height * of.pair_0.removed;
+    float by_shape = 0.03f + 0.2f * sand.ripple_height * ripple.x;
+    float varied = 0.04f * sand.ripple_height * sand.ripple_height * 0.0888889f * (1.0f - span * span / 0.81f);
     // 7.65625e-5 is 0.00875^2
-    gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
-              + 0.0009f * of.pair_0.lost + 7.65625e-5f * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
+    gabor_vec3 lost = high * (gabor_impl_rise_lost(phase.x, span, 0.9f) * square
+                        + gabor_impl_rise_lost(0.0f, 0.0f, 0.9f) * warped)
+              + (by_shape * by_shape + varied) * of.pair_0.lost
+              + 7.65625e-5f * sand.grain_contrast * sand.grain_contrast * of.pair_1.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1186,7 +1121,7 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
 GABOR_INLINE GaborImplLayer gabor_impl_metal_layer(int i, GaborImplPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
     if (i >= 5) return gabor_impl_octave(pixel, gabor_vec2(1.3f), i - 5, 6, 0.75f, gabor_derived_seed(seed, 5));
     gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
-    return gabor_impl_spots_layer(0, pixel, density, seed, i);
+    return gabor_impl_spots_layer(pixel, density, seed, i);
 }
 
 // The layers that the metal needs.
@@ -1225,7 +1160,7 @@ GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, Gab
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 period, GaborBrushedMetal metal, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1248,7 +1183,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pix
     // swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
+    return gabor_impl_spots_layer(at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
                                   2 * i + 1);
 }
 
@@ -1262,8 +1197,10 @@ GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches sc
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz();
     float change = gabor_impl_above(gabor_vec3(noise.second.x, 1.0f, 0.0f), noise.removed, 0.3f, 0.7f).y;
-    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
-    sum.lost += 1.15f * size * size * (open.x * open.x + change * change * noise.removed)
+    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
+    // a normal law: a fit to amounts from 0.01 to 8.
+    float rare = threshold / 3.85f, rarer = rare * rare * rare * rare;
+    sum.lost += 1.2f / (1.0f + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
               * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2f);
 }
 
@@ -1275,7 +1212,7 @@ GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborM
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_at(gabor_vec2 p, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1298,9 +1235,9 @@ GABOR_INLINE float gabor_impl_stripes_direction(GaborImplPixel pixel, GaborZebra
 GABOR_INLINE GaborImplLayer gabor_impl_zebra_layer(int i, GaborImplPixel pixel, GaborImplPixel skin, float direction,
                                       GaborZebra zebra, std::uint32_t seed) {
     // 2.0707963 is 0.5 + pi/2
-    if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
-    if (i == 1) return gabor_impl_spots_layer(1, pixel, gabor_vec2(1.2f), seed, 4);
-    return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
+    if (i == 0) return gabor_impl_spots_layer(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
+    if (i == 1) return gabor_impl_spots_layer(pixel, gabor_vec2(1.2f), seed, 4);
+    return gabor_impl_waves_layer(skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of) {
@@ -1319,7 +1256,7 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborImplPairs of)
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1342,9 +1279,9 @@ GABOR_INLINE GaborImplLayer gabor_impl_bark_layer(int i, GaborImplPixel pixel, G
     GaborImplPixel at = trunk;
     if (i > 1 && i < 6) at = pixel; // the trunk's warps would stretch small spots into smears
     if (i < 5) return gabor_impl_octave(at, gabor_vec2(7.0f, 3.5f), i, 5, 0.7f, gabor_derived_seed(seed, 5));
-    if (i == 5) return gabor_impl_spots_layer(1, at, gabor_vec2(1.1f, 0.7f), seed, 6);
-    if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
-    return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
+    if (i == 5) return gabor_impl_spots_layer(at, gabor_vec2(1.1f, 0.7f), seed, 6);
+    if (i == 6) return gabor_impl_waves_layer(trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
+    return gabor_impl_waves_layer(trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
@@ -1380,7 +1317,7 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborImplPairs of) {
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1408,7 +1345,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_strata_layer(int i, GaborImplPixel pixel,
     // 0.33333333 is 1/3, 2.8333333 is 17/6 and 8.3333333 is 25/3
     gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
                  : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
-    return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
+    return gabor_impl_spots_layer(rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs of) {
@@ -1432,7 +1369,7 @@ GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborImplPairs 
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborImplPixel pixel = gabor_impl_point(p, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)
@@ -1446,55 +1383,59 @@ GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, Gabo
 
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
-#ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 3; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_wood_layer(2, pixel, board, seed));
     return gabor_impl_wood(board, wood, of, seed);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_fabric_layer(3, cloth, count, seed));
     return gabor_impl_fabric(cloth, count, fabric, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborCarbonFibre fibres,
                                              std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_tow_layer(1, cloth, count, seed));
     return gabor_impl_carbon_fibre(cloth, count, fibres, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
     of.pair_2 = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
     of.pair_3 = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
     return gabor_impl_leather(pixel, skin, leather, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed));
-    GaborMaterial material = gabor_impl_marble(marble, of.pair_0, of.pair_1);
+    GaborImplPair cloud = gabor_impl_no_pair();
+    for (int i = 0; i < 3; ++i)
+        cloud = gabor_impl_plus_filtered_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
+    GaborImplPair crystal = gabor_impl_filtered_spots(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
     for (int j = 4; j < 8; ++j) {
         GaborImplLayer layer = gabor_impl_marble_layer(j, pixel, stone, seed);
         gabor_impl_add_veins(material, marble, j, gabor_impl_filtered_waves(layer));
@@ -1503,19 +1444,20 @@ GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
-    GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 4; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborImplPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
     of.pair_2 = gabor_impl_filtered_waves(ripples);
     return gabor_impl_sand(sand, ripples, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
                                               std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1526,7 +1468,7 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_v
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1535,39 +1477,40 @@ GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 2; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed));
+    of.pair_0 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
     of.pair_2 = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
     return gabor_impl_zebra(zebra, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 6; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
-    for (int j = 6; j < 8; ++j) {
-        GaborImplPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(j, pixel, trunk, bark, seed));
-        if (j == 6) of.pair_2 = pair;
-        else of.pair_3 = pair;
-    }
+    for (int i = 0; i < 5; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.pair_2 = gabor_impl_filtered_waves(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.pair_3 = gabor_impl_filtered_waves(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
     return gabor_impl_bark(bark, of);
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
-    for (int i = 0; i < 8; ++i)
-        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    for (int i = 0; i < 4; ++i)
+        of.pair_0 = gabor_impl_plus_filtered_octave(of.pair_0, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.pair_1 = gabor_impl_filtered_spots(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.pair_2 = gabor_impl_filtered_spots(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.pair_3 = gabor_impl_filtered_spots(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.pair_4 = gabor_impl_filtered_spots(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
     return gabor_impl_strata(strata, of);
 }
-#endif
 
 // ---- Definitions of the other public functions ---------------------------------------------------------------------
 
@@ -1649,7 +1592,6 @@ GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
     return gabor_strata_at(p, gabor_vec2(0.0f), gabor_strata_default(), seed);
 }
 
-#ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_wood_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_wood_default(), seed);
 }
@@ -1683,6 +1625,5 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 
 GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_strata_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_strata_default(), seed);
 }
-#endif
 
 #endif

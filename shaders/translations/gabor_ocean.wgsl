@@ -56,10 +56,10 @@ struct GaborOcean {
 // What a sea depends on.
 struct GaborSea {
     wind: f32,            // wind speed at a height of 10 m, 2 to 30 metres per second
-    fetch: f32,           // open water upwind, a few kilometres for a lake and 200 km for a grown sea, 1000 to
-                          // 1000000 metres: beyond 2190 wind^2, waves grow no more
-    swell_height: f32,    // significant height of a swell from a far storm, from trough to crest, or 0 for none,
-                          // 0 to 30 metres, usually 0 to 8: ends at 0.07 wavelengths, 0.11 period^2 in deep water
+    fetch: f32,           // open water upwind, 200 km for a grown sea, 1000 to 1000000 metres: a few kilometres for a
+                          // lake, and beyond 2190 wind^2, waves grow no more
+    swell_height: f32,    // significant height of a far storm's swell, 0 for none, 0 to 30 metres, usually 0 to 8: up
+                          // to 0.07 of its wavelength, 0.11 period^2 in deep water
     swell_period: f32,    // time from crest to crest of the swell, 5 to 25 seconds
     swell_direction: f32, // where the swell goes, from +x towards +y, -628.31853 to 628.31853 radians
     water_depth: f32,     // depth of the water, or 0 for deep water, 0 to 10000 metres, usually 0 to 100: at

@@ -52,21 +52,22 @@ class Ocean(ProgramTest):
         np.testing.assert_allclose(shares(12, 30, 250, range(2)), storm[:2], rtol=0.15)  # similar waves, smaller and nearer
 
     def test_foam_covers_as_much_of_the_sea_as_was_measured(self):
-        for wind, altitude, seeds in ((10, 250, 4), (18, 100, 16)):  # far away and near, where foam is a net of bubbles
-            covered = np.mean([self.drawn(f"--wind={wind}", "--fetch=30000", f"--altitude={altitude}", "--pitch=90", "--zoom=0.25",
+        for wind, seeds in ((10, 4), (18, 8)):  # from so high that hundreds of waves are seen, as foam comes in patches
+            covered = np.mean([self.drawn(f"--wind={wind}", "--fetch=30000", "--altitude=1000", "--pitch=90", "--zoom=0.25",
                                           f"--seed={seed}", size="1024x48")["foam"].mean() for seed in range(seeds)])
             measured = 3.84e-6 * wind**3.41  # Monahan and O'Muircheartaigh, 1980
             print(f"wind {wind}: {covered:.4f} of the sea is foam, {measured:.4f} was measured")
             self.assertAlmostEqual(covered / measured, 1, delta=0.1)
 
     def test_a_pixel_near_the_horizon_shows_the_mean_of_its_foam(self):
-        once, parts = (self.drawn("--wind=18", "--altitude=15", "--seed=2", size=size)["foam"] for size in ("160x80", "960x480"))
-        mean = parts.reshape(80, 6, 160, 6).mean(axis=(1, 3))
+        once, parts = (np.hstack([self.drawn("--wind=18", "--altitude=15", f"--seed={seed}", size=size)["foam"] for seed in (2, 3, 4)])
+                       for size in ("160x80", "960x480"))
+        mean = parts.reshape(80, 6, 480, 6).mean(axis=(1, 3))
         for rows in slice(30, 40), slice(40, 60), slice(60, 80):
             contrast, error = once[rows].std() / mean[rows].std(), (once - mean)[rows].std() / mean[rows].std()
             print(f"rows {rows.start} to {rows.stop}: {contrast:.2f} of the contrast, off by {error:.2f} of it")
             self.assertLess(contrast, 1.1)
-            self.assertLess(error, 0.9)
+            self.assertLess(error, 0.7)
 
     def test_it_moves_and_a_part_equals_the_whole(self):
         first, later = (self.drawn(f"--seconds={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))

@@ -241,7 +241,7 @@ float rsqrt(float a) { return 1.0f / std::sqrt(a); }
 # The nodes of MaterialX's graphs, in C++.
 GRAPHS = """#include "gabor_noise.hpp"
 #include "gabor_spectrum.hpp"
-#include "gabor_filter.hpp"
+#include "gabor_fractal.hpp"
 #include "gabor_materials.hpp"
 #include <algorithm>
 struct Value {

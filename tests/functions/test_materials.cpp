@@ -7,7 +7,7 @@
 
 #include "gabor_spectrum.hpp"
 
-#include "gabor_filter.hpp"
+#include "gabor_fractal.hpp"
 
 #include "gabor_materials.hpp"
 
@@ -69,6 +69,19 @@ GaborMaterial on_boards(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned see
         board, boards);
 }
 
+// Leather with a finish, of which every part is on.
+GaborMaterial with_finish(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned seed) {
+    GaborFinish finish = gabor_finish_default();
+    finish.dirt_amount = 0.5f;
+    finish.dust_amount = 0.3f;
+    finish.grain_stretch = 3;
+    finish.grain_height = 5e-4f;
+    const auto leather = parameters_of<GaborLeather>(n);
+    return dx.x > 0 ? gabor_finished_filtered(gabor_leather_filtered_at(p, dx, dy, Vec2(0), leather, seed), p,
+                                              dx, dy, Vec2(0), finish, seed)
+                    : gabor_finished(gabor_leather_at(p, Vec2(0), leather, seed), p, Vec2(0), finish, seed);
+}
+
 // A material that a mask raises, with the mask's gradient.
 GaborMaterial raised(GaborMaterial m, Vec2 p) {
     m.height += 0.02f * (p.x - p.y);
@@ -95,7 +108,7 @@ const std::vector<Material> materials = [] {
              Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}, {0, 1}}),
         MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
              Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
-        MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08,
+        MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.09,
              Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
         MADE(GaborBark, gabor_bark, 4e-4f, 0.03, 0.12, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
         MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.09,
@@ -115,6 +128,15 @@ const std::vector<Material> materials = [] {
         {"boards", 2e-4f, 0.03, 0.09, all.front().numbers, wood,
          [](Vec2 p, const Numbers& n, unsigned seed) { return on_boards(p, Vec2(0), Vec2(0), n, seed); },
          on_boards});
+    all.push_back(
+        {"finish",
+         2e-4f,
+         0.03,
+         0.1,
+         {},
+         all[2].defaults,
+         [](Vec2 p, const Numbers& n, unsigned seed) { return with_finish(p, Vec2(0), Vec2(0), n, seed); },
+         with_finish});
     return all;
 }();
 
@@ -276,6 +298,61 @@ TEST_CASE("a material's filter keeps or loses all variance of its slopes", "[mat
         }
 }
 
+TEST_CASE("far away, materials keep or lose all energy of their slopes, at the corners of all ranges",
+          "[materials]") {
+    for (const Material& m : materials) {
+        if (m.name == std::string_view("boards")) // whose joints `lost` leaves out
+            continue;
+        const std::size_t colours = m.defaults.size() - m.numbers.size();
+        double least = 1, most = 1;
+        const auto see = [&](const Numbers& n, bool by_default) {
+            Random random(9);
+            double whole = 0, power = 0;
+            std::size_t count = 0;
+            // until the standard error is 2 %, or 6 % for rare scratches
+            for (; count < 4000 || (count < 60000 && power - whole * whole / static_cast<double>(count) >
+                                                         square(0.02 * whole));
+                 ++count) {
+                const double energy = square(m.plain(random.uniform<Vec2>(0, 100), n, random.word()).slope);
+                whole += energy;
+                power += square(energy);
+            }
+            if (whole < 1e-12 * static_cast<double>(count)) // a relief of 0
+                return;
+            whole /= static_cast<double>(count);
+            const double error = std::sqrt(power / static_cast<double>(count) - square(whole)) /
+                                 std::sqrt(static_cast<double>(count));
+            for (const float pixel : {4.0f, 40.0f}) {
+                double both = 0;
+                for (int i = 0; i < 200; ++i) {
+                    const GaborMaterial far = m.filtered(random.uniform<Vec2>(0, 100), Vec2(pixel, 0),
+                                                         Vec2(0, pixel), n, random.word());
+                    both += (square(far.slope) + wide(far.lost.x) + wide(far.lost.y)) / 200;
+                }
+                const double ratio = both / whole;
+                least = std::min(least, ratio);
+                most = std::max(most, ratio);
+                INFO(m.name << ", pixel " << pixel << ", standard error " << error / whole << ", parameters "
+                            << fmt::format("{}",
+                                           fmt::join(n.begin() + static_cast<int>(colours), n.end(), ", ")));
+                CHECK(both - 3 * error < (by_default ? 1.1 : 1.25) * whole);
+                CHECK(both + 3 * error > (by_default ? 0.9 : 0.8) * whole);
+            }
+        };
+        for (unsigned corner = 0; corner < 1u << m.numbers.size(); ++corner) {
+            Numbers n = m.defaults;
+            for (std::size_t i = 0; i < m.numbers.size(); ++i)
+                n[colours + i] = corner >> i & 1 ? m.numbers[i].second : m.numbers[i].first;
+            see(n, false);
+        }
+        fmt::print("  {:<13} kept and lost: {:.2f} to {:.2f} of the energy at the corners,", m.name, least,
+                   most);
+        least = most = 1;
+        see(m.defaults, true);
+        fmt::print(" {:.2f} to {:.2f} by default\n", least, most);
+    }
+}
+
 TEST_CASE("materials keep their gloss at every distance", "[materials]") {
     constexpr int pixels = 24, strata = 24;
     for (const Material& m : materials)
@@ -325,12 +402,16 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
             continue; // differs only by its defaults
         Random random(7);
         double largest = 0;
-        const std::size_t colours = m.defaults.size() - m.numbers.size();
+        // A finish clips bright colours, and its dirt lies right for one relief.
+        const bool finished = m.name == std::string_view("finish");
+        const float bright = finished ? 0.6f : 1;
+        const std::size_t colours = finished ? 6 : m.defaults.size() - m.numbers.size();
         for (unsigned corner = 0; corner < 3u << m.numbers.size(); ++corner) {
             Numbers n = m.defaults;
             const unsigned look = corner >> m.numbers.size(); // every other colour bright, or all
             for (std::size_t i = 0; i < colours; ++i)
-                n[i] = look == 2 || i / 3 % 2 == look ? 1 - 0.15f * static_cast<float>(i % 3) : 0.02f;
+                n[i] =
+                    look == 2 || i / 3 % 2 == look ? bright * (1 - 0.15f * static_cast<float>(i % 3)) : 0.02f;
             for (std::size_t i = 0; i < m.numbers.size(); ++i)
                 n[colours + i] = corner >> i & 1 ? m.numbers[i].second : m.numbers[i].first;
             std::array<double, 3> mean{}, power{};

@@ -446,8 +446,8 @@ TEST_CASE("the water's velocity is the derivative of its place", "[ocean]") {
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            fmt::print("wind {}, depth {}: rms velocity {:.3f} m/s, error {:.4f}\n", sea.wind, sea.water_depth,
-                       std::sqrt(total[c] / 4000), std::sqrt(apart[c] / 4000));
+            fmt::print("wind {}, depth {}: rms velocity {:.3f} m/s, error {:.4f}\n", sea.wind,
+                       sea.water_depth, std::sqrt(total[c] / 4000), std::sqrt(apart[c] / 4000));
             CHECK(std::sqrt(apart[c] / total[c]) < 0.03);
         }
     }

@@ -37,12 +37,15 @@
 #include "gabor_noise_3d.hpp"
 
 #include "gabor_filter_3d.hpp"
-#elif defined GOLDEN_SPECTRUM || defined GOLDEN_MATERIALS
+#elif defined GOLDEN_SPECTRUM
 #include "gabor_spectrum.hpp"
 
 #include "gabor_filter.hpp"
-#endif
-#if defined GOLDEN_MATERIALS
+#elif defined GOLDEN_MATERIALS
+#include "gabor_spectrum.hpp"
+
+#include "gabor_fractal.hpp"
+
 #include "gabor_materials.hpp"
 
 #include "gabor_compose.hpp"

@@ -314,7 +314,7 @@ class Module(Folder):
         code = "".join(path.read_text() for path in (self.folder / "gabor_noise").glob("*.py"))
         native = "".join(path.read_text() for path in (self.folder / "native").glob("*.cpp"))
         self.assertEqual(set(re.findall(r"_native\.(\w+)", code)), set(re.findall(r'module\.(?:attr|def)\("(\w+)"', native)))
-        kernels = re.findall(r'\{"(\w+)", ([^{}]*), \d, fill_', native)
+        kernels = re.findall(r'\{"(\w+)", ([^{}]*), \d+, fill_', native)
         self.assertEqual({name for name, _ in kernels}, set(re.findall(r'(?:evaluate\(|else )"(\w+)"(?: if|, )', code)))
         tree = ast.parse((self.folder / "gabor_noise" / "__init__.py").read_text())
         functions = [node for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
@@ -387,7 +387,7 @@ class Node(Package):
             self.assertTrue("://" in link or (root / link).exists(), link)
 
     def text(self, original):
-        return texts()[original].encode()
+        return (texts()[original] if original in texts() else (SHADERS / original).read_text()).encode()
 
     def quoted(self, text):
         return text

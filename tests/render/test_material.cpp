@@ -5,7 +5,7 @@
 
 #include "gabor_spectrum.hpp"
 
-#include "gabor_filter.hpp"
+#include "gabor_fractal.hpp"
 
 #include "gabor_materials.hpp"
 

@@ -6,10 +6,13 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import copies  # noqa: E402
 PAGES = [ROOT / name for name in subprocess.run(["git", "-C", str(ROOT), "ls-files", "*.md"], capture_output=True, text=True,
                                                 check=True).stdout.splitlines()]
 DEMO = ROOT / "docs" / "demo" / "index.html"
@@ -70,13 +73,32 @@ class Pages(unittest.TestCase):
                          f"{block}}}\n")
 
     def test_the_code_to_paste_compiles(self):
-        code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_noise.glsl"',
-                                                                         (ROOT / "shaders/gabor_noise.glsl").read_text())
-        code = re.sub(r"(?m)^(\w+ \w = .*)", r"    \1", code)
-        body = re.search(r"(?ms)^    float n = gabor_noise.*", code)[0]
-        self.compile("#version 450\nlayout(location = 0) in vec2 p;\nlayout(location = 1) in vec2 wave;\n"
-                     "layout(location = 0) out vec4 colour;\n" + code.removesuffix(body)
-                     + "void main()\n{\n" + body + "    colour = vec4(v, s.x, g.yz);\n}\n")
+        first, *examples = re.findall(r"(?ms)^```glsl\n(.*?)^```", README)
+        self.assertEqual(len(examples), 4)
+        for code, names in ((first.replace('#include "gabor_noise.glsl"', ""), ["fractal"]),
+                            ("".join(examples).replace("GaborMaterial m", "GaborMaterial m1", 1), ["spectrum", "fractal", "materials", "erosion", "ocean"])):
+            drop_ins = "".join((ROOT / f"shaders/gabor_{name}.glsl").read_text() for name in ("noise", *names))
+            code = code.replace("m.slope", "m1.slope")
+            self.compile(f"#version 450\n{drop_ins}layout(location = 0) in vec4 given;\nvoid main()\n{{\n"
+                         f"vec2 p = given.xy, wave = given.zw;\nfloat time = given.x;\n{code}}}\n")
+
+    def test_the_files_to_paste_have_their_order(self):
+        rows = re.findall(r"(?m)^\|[^|]*\| \[`gabor_(\w+)\.glsl`\].*\| (.*?) ?\|$", README)
+        self.assertEqual({f"gabor_{name}" for name, _ in rows}, {path.stem for path in (ROOT / "shaders").glob("gabor_*.glsl")})
+        for name, after in rows:
+            always, _, sometimes = after.partition(";")
+            after = [copies.ROOT / f"shaders/gabor_{other}.glsl" for other in re.findall(r"\w+", always) if other != "nothing"]
+            path = ROOT / f"shaders/gabor_{name}.glsl"
+            given = {each.stem for other in after for each in [*copies.required(other), other]}
+            self.assertEqual(given, {each.stem for each in copies.required(path)}, name)
+            more = {f"gabor_{other}" for other in re.findall(r"\w+", sometimes.partition(":")[2])}
+            more |= {each.stem for other in after for each in [*copies.needed(other), other]}
+            self.assertEqual(more, {each.stem for each in copies.needed(path)}, name)
+
+    def test_the_number_of_engines_is_that_of_the_table(self):
+        table = (ROOT / "docs" / "engine-results.md").read_text().partition("## The noise")[2].partition("\n## ")[0]
+        rows = len(re.findall(r"(?m)^\| ", table)) - 2
+        self.assertIn(f"; {rows} combinations of engine and language tested", README)
 
     def test_recipes_for_materials_compile(self):
         page = (ROOT / "docs" / "materials.md").read_text()
@@ -86,7 +108,7 @@ class Pages(unittest.TestCase):
             self.assertLessEqual(code.count("\n"), 10, name)
             kind, folder = ("hlsl", "translations/") if name == "Unity" else ("glsl", "")
             drop_ins = "".join((ROOT / f"shaders/{folder}gabor_{each}.{kind}").read_text()
-                               for each in ("noise", "spectrum", "filter", "materials"))
+                               for each in ("noise", "spectrum", "fractal", "materials"))
             if name == "three":
                 code = ("vec2 vUv; vec3 normal; mat3 tbn; vec4 diffuseColor;\nvoid fragment() {\n"
                         + "\n".join(re.findall(r'>", [`"]([^`"]*;)[`"]\)', code)) + "\n}\n")
@@ -193,7 +215,7 @@ COSTS = [
     *((page, pattern, "", 0) for page, pattern in (
         (P, "The H100 has only timed slower code of these noises: .*? 30 times as that seminal noise"), (P, "takes 10 ps per value on"), (P, "materials take 25 to 350 ps"), (P, "costs 5 % more than `tests/bench"),
         (P, "3.1 times as long as `gabor_noise` for small"), (P, "costs three octaves"), (P, "0.9 us for a point"), (P, "2.1 us without"),
-        (P, "Crest needs 28 us"), (P, "up to eight times as long"), ("docs/by-example.md", "75 ns .*? 8368 cycles"),
+        (P, "Crest needs 28 us"), (P, "takes 3.9 times as long at"), (P, "up to eight times as long"), ("docs/by-example.md", "75 ns .*? 8368 cycles"),
         ("docs/engines.md", "14 kB, 7 us a height"), ("docs/engines.md", "1382 cycles a pixel"), ("shaders/nodes/shims/README.md", "1.3 to 1.7 times as long"), ("docs/farm.md", "1.4 to 1.75 times the CPU time"), ("docs/gallery.md", "costs ten noises, one"),
         ("docs/python.md", "draws 570 .*? 1.2 us"), ("docs/study.md", "17 times faster at the same quality"), ("docs/study.md", "20.7 times faster"),
         ("shaders/nodes/cpp/README.md", "on one core, GCC 12 reaches 33 .*? at 4[.]"), (GLSL + "compose.glsl", "cost three quarters of gabor_noise"),

@@ -11,6 +11,7 @@
 //     quit
 
 #include "viewer/app.hpp"
+#include "viewer/dear_imgui.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
 
@@ -54,7 +55,7 @@ struct Seen {
         wheel += double{io.MouseWheel};
         for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
             const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-            const bool is_down = ImGui::IsKeyDown(static_cast<ImGuiKey>(key));
+            const bool is_down = dear_imgui::is_down(key);
             bool& was_down = down.at(static_cast<std::size_t>(key));
             keys += is_down && !was_down && !modifier;
             was_down = is_down;
@@ -67,12 +68,11 @@ struct Seen {
 // Where a draw list shows a text, and no more of the same label: left, top, right and bottom of its first
 // place from the top. Letters are quads of the font's glyphs.
 std::optional<std::array<float, 4>> place_in(const ImVector<ImDrawVert>& corners, std::string_view text) {
-    const ImFont& font = *ImGui::GetFont();
-    const ImVec2 white = font.ContainerAtlas->TexUvWhitePixel;
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     std::vector<const ImFontGlyph*> glyphs;
     for (const char letter : text)
         if (letter != ' ')
-            glyphs.push_back(font.FindGlyph(static_cast<ImWchar>(letter)));
+            glyphs.push_back(&dear_imgui::glyph(static_cast<ImWchar>(letter)));
     const int length = 4 * static_cast<int>(glyphs.size());
     const auto touches = [&](int letter, ImVec2 end) {
         return letter >= 0 && letter < corners.Size &&

@@ -1,5 +1,6 @@
 // Tests the panel's text, and what the pointer does, without a window.
 
+#include "viewer/dear_imgui.hpp"
 #include "viewer/display.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/gallery.hpp"
@@ -44,15 +45,6 @@ struct NoWindow {
     }
     ~NoWindow() { ImGui::DestroyContext(); }
 };
-
-// Presses a button in the next frame.
-void activate(ImGuiID id) {
-#if IMGUI_VERSION_NUM < 19000
-    ImGui::ActivateItem(id);
-#else
-    ImGui::ActivateItemByID(id);
-#endif
-}
 
 // Returns all text of the panel, with every section open except the laboratory.
 std::string panel_text(Session& session) {
@@ -101,7 +93,7 @@ void press_in_panel(Session& session, const std::string& section, const char* la
         ImGui::EndChild();
         ImGui::End();
         if (frame == 1)
-            activate(id);
+            dear_imgui::activate(id);
         if (frame == 1 && text)
             ImGui::GetCurrentContext()->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
         ImGui::EndFrame();
@@ -131,9 +123,9 @@ void drag(ImVec2 from, ImVec2 to, Draw draw) {
 // Draws a frame in which a key goes down.
 template <typename Draw>
 void press(int key, Draw draw) {
-    ImGui::GetIO().KeysDown[key] = true;
+    dear_imgui::set_key(key, true);
     frame({400, 300}, draw);
-    ImGui::GetIO().KeysDown[key] = false;
+    dear_imgui::set_key(key, false);
     frame({400, 300}, draw);
 }
 
@@ -224,7 +216,7 @@ TEST_CASE("a question gives the answer whose button is pressed") {
             frame({0, 0}, [&, name = label] {
                 question_window(session);
                 if (i == 1)
-                    activate(ImGui::FindWindowByName("Please confirm")->GetID(name));
+                    dear_imgui::activate(ImGui::FindWindowByName("Please confirm")->GetID(name));
             });
         CHECK_FALSE(session.question);
         CHECK(found == given);
@@ -277,7 +269,7 @@ TEST_CASE("a double click adds the colour that is there, and a button removes it
     CHECK(ramp[1].at == Approx(0.25).margin(0.01));
     for (const auto& [c, part] : {std::pair(0u, 0.5), {1u, 0.2}, {2u, 0.0}})
         CHECK(ramp[1].colour.at(c) == Approx(part).margin(0.02));
-    activate(ImGui::FindWindowByName("panels")->GetID("remove"));
+    dear_imgui::activate(ImGui::FindWindowByName("panels")->GetID("remove"));
     frame({0, 0}, draw);
     CHECK(ramp == document.ramp);
     for (int i = 0; i < 8; ++i)

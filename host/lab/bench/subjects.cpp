@@ -108,7 +108,8 @@ void add_water(std::vector<Subject>& all) {
     std::uint32_t number = 0;
     render::Request sea;
     sea.kind = render::Kind::sea;
-    for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone"}) {
+    for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone",
+                             "gabor_water_filtered and gabor_foam"}) {
         all.push_back({name, 36, water_spirv, nullptr, {number++}});
         all.back().has_loops = true;
         all.back().table = render::ocean_table(sea);

@@ -20,8 +20,8 @@ constexpr std::array materials{
 
 #undef GABOR_MATERIAL
 
-/// The parameters of the request's material, erosion or sea, laid out like their struct in a std430 buffer. Holds
-/// the bits of integers.
+/// The parameters of the request's material, erosion or sea, laid out like their struct in a std430 buffer.
+/// Holds the bits of integers.
 std::vector<float> struct_values(const Request& request);
 
 using passes::material_channels, passes::terrain_channels;

@@ -137,6 +137,8 @@ constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean",
 constexpr Constant material{"--material NAME", is<Kind::material>};
 constexpr Constant laid{"--boards and --material NAME",
                         [](const Request& r) { return material.holds(r) && r.boards; }};
+constexpr Constant finished{"--finish and --material NAME",
+                            [](const Request& r) { return material.holds(r) && r.finish; }};
 constexpr Constant terrain{"--view terrain or landscape", is<Kind::terrain>};
 constexpr Constant sea{"--view ocean", is<Kind::sea>};
 
@@ -149,7 +151,8 @@ std::string other_than(const Scope& scope, const Request& request) {
     };
     if (mentions("lobe") && request.lobes.size() > 1)
         return fmt::format("{} lobes", request.lobes.size());
-    if (scope.described == scopes::laid.described && request.material != no_material)
+    if ((scope.described == scopes::laid.described || scope.described == scopes::finished.described) &&
+        request.material != no_material)
         return "";
     if (request.material != no_material && (scope.holds(plain(request)) || mentions("material")))
         return request.material;
@@ -276,6 +279,10 @@ std::vector<Parameter> noise_rows() {
             "Lay the material as planks or tiles, with joints between them. Whole boards fill a tile. `gabor "
             "materials boards` lists the options of boards",
             in_request(&Request::boards)),
+        row("finish", Type::flag, "", none, none, scopes::material,
+            "Give the material a finish: uneven colour and gloss, dirt, dust and a grain. `gabor materials "
+            "finish` lists the options of finishes",
+            in_request(&Request::finish)),
         row("scale", Type::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
@@ -472,6 +479,7 @@ Parameter struct_row(const StructRow& made) {
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
                                 : of == "sea"    ? std::pair(Group::sea, Scope(scopes::sea))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
+                                : of == "finish" ? std::pair(Group::finish, Scope(scopes::finished))
                                                  : std::pair(Group::material, one_material);
     Parameter p = row(group == Group::sea ? made.name.substr(dot + 1) : made.name, made.type, made.unit,
                       made.range, made.slider, scope, made.help, in_look(made));
@@ -760,7 +768,8 @@ void set(Request& request, const Values& values, std::string (*called)(const Par
     for (const int rank : {0, 1, 2})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter& p = *named.first;
-            if (rank != (p.name == "boards" ? 1 : decides(p) ? 0 : 2)) // a material comes before its boards
+            const bool of_material = p.name == "boards" || p.name == "finish"; // which comes before these
+            if (rank != (of_material ? 1 : decides(p) ? 0 : 2))
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
             if (!p.get(request)) {
@@ -789,7 +798,7 @@ std::optional<Value> default_of(const Parameter& parameter, const Request& reque
 
 bool decides(const Parameter& p) {
     return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "fractal" ||
-           p.name == "boards";
+           p.name == "boards" || p.name == "finish";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -826,8 +835,9 @@ std::vector<float> struct_values(const Request& request) {
     for (const Parameter& p : parameters()) {
         if (!p.of_struct)
             continue;
-        const bool of_boards = group == Group::material && p.group == Group::boards;
-        const std::optional<Value> value = of_boards          ? p.place.get(request)
+        const bool always =
+            group == Group::material && (p.group == Group::boards || p.group == Group::finish);
+        const std::optional<Value> value = always             ? p.place.get(request)
                                            : p.group == group ? p.get(request)
                                                               : std::nullopt;
         if (!value)

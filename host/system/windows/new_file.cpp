@@ -131,8 +131,13 @@ void NewFile::publish() {
         if (!::FlushFileBuffers(file.file.get()))
             fail();
         delete_on_close(file.file.get(), false);
-        if (!replace(file.file.get(), file.target))
-            fail();
+        // Another writer may just be closing the target, and scanners open new files for an instant.
+        for (int tries = 1; !replace(file.file.get(), file.target); ++tries) {
+            const DWORD error = ::GetLastError();
+            if (tries == 20 || (error != ERROR_ACCESS_DENIED && error != ERROR_SHARING_VIOLATION))
+                fail(error);
+            ::Sleep(50);
+        }
         // Remove what a process left that was killed while it named its file. Open files stay.
         for (const fs::path& name : hidden_files(std::exchange(file.target, {})))
             ::DeleteFileW(name.c_str());

@@ -139,7 +139,7 @@ const OPTIONS = {
     erosion: [{ preset: "canyon", octaves: 3, water: -2 }, { cover: "badlands", distance: 2, x: 3, y: -5, water: 0 }],
     sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }],
     materials: [...new Set(DATA.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset }))
-        .concat({ preset: "oak-planks", boards: true }),
+        .concat({ preset: "oak-planks", boards: true, finish: true }),
     noise: [{ look: "plain", taps: 2 }, { look: "relief", taps: 4 }, ...["plain", "relief", "colours", "evolving"].map(look => ({ look }))],
 };
 const optionsOf = tab => OPTIONS[tab] ?? TABS[tab].controls.filter(each => each.options)
