@@ -122,9 +122,10 @@ void App::save_session() {
     if (session_.playing)
         time_of(document.request) = 0; // playing alone must not cause a save
     const bool unsaved = session_.closing != Closing::now && is_changed(session_);
-    Settings settings{
-        window_.placement(), session_.panels || small_,   session_.ui_scale, to_json(document),
-        document.path,       session_.export_target.path, session_.recent,   unsaved ? system::process_id() : 0};
+    Settings settings{window_.placement(), session_.panels || small_,
+                      session_.ui_scale,   to_json(document),
+                      document.path,       session_.export_target.path,
+                      session_.recent,     unsaved ? system::process_id() : 0};
     if (settings == settings_)
         return;
     settings_ = std::move(settings);
