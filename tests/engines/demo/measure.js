@@ -45,7 +45,7 @@ function compare(what, made, wanted, tolerance) {
 
 // ---- Each language's picture ----
 const own = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT }).getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
-function inGlsl(text) {
+function programIn(text) {
     const program = own.createProgram();
     for (const [type, source] of [[own.VERTEX_SHADER, VERTEX], [own.FRAGMENT_SHADER, text]]) {
         const shader = own.createShader(type);
@@ -57,6 +57,10 @@ function inGlsl(text) {
     }
     own.linkProgram(program);
     own.useProgram(program);
+    return program;
+}
+function inGlsl(text) {
+    const program = programIn(text);
     own.bindTexture(own.TEXTURE_2D, painting_);
     for (let i = 0; i < own.getProgramParameter(program, own.ACTIVE_UNIFORMS); ++i) {
         const { name } = own.getActiveUniform(program, i), place = own.getUniformLocation(program, name);
@@ -202,6 +206,55 @@ async function checkTab(name, settings) {
                     ["HLSL", "WGSL"].includes(offered) ? mirrored : shown, 4);
 }
 
+// Copied views of land are not drawn: they take minutes to compile on SwiftShader, and test_pages.py compiles them. But the page's map is
+// compared with the land that the copied code has where the map does not fade, and its slopes with its heights where it does.
+function checkLand(settings) {
+    open("erosion", { ...settingsOf("erosion"), ...settings });
+    drawWhole(1000 * TIME);
+    const shown = pixelsOf(gl, WIDTH, HEIGHT), { side } = map, texel = MAP_WIDTH / side, what = `erosion with ${JSON.stringify(settings)}`;
+    if (new Set(shown).size < 50)
+        throw new Error(`${what}: the picture has only ${new Set(shown).size} values`);
+    const made = new Float32Array(4 * side * side), wanted = made.slice();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, map.frame);
+    gl.readPixels(0, 0, side, side, gl.RGBA, gl.FLOAT, made);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    programIn(`${HEAD}${textIn("GLSL").replace(/void main\(\)[^]*/, "")}void main()
+{
+    GaborTerrain here = ground_at(land(), vec2(${corner()}) + ${texel} * gl_FragCoord.xy, ${texel});
+    colour = vec4(here.height, here.slope, here.ridge);
+}`);
+    own.getExtension("EXT_color_buffer_float");
+    const texture = own.createTexture(), frame = own.createFramebuffer();
+    own.bindTexture(own.TEXTURE_2D, texture);
+    own.texStorage2D(own.TEXTURE_2D, 1, own.RGBA32F, side, side);
+    own.bindFramebuffer(own.FRAMEBUFFER, frame);
+    own.framebufferTexture2D(own.FRAMEBUFFER, own.COLOR_ATTACHMENT0, own.TEXTURE_2D, texture, 0);
+    own.viewport(0, 0, side, side);
+    own.drawArrays(own.TRIANGLES, 0, 3);
+    own.readPixels(0, 0, side, side, own.RGBA, own.FLOAT, wanted);
+    own.deleteFramebuffer(frame);
+    own.deleteTexture(texture);
+    const exact = Math.floor((MAP_WIDTH - MAP_SEAM) / texel) - 1;
+    const errors = { exact: [0, 0], faded: [0, 0] }; // of slopes: sum and number
+    let worst = 0, place = "";
+    for (let y = 0; y < side; ++y)
+        for (let x = 0; x < side; ++x) {
+            const here = 4 * (side * y + x), beside = [4 * (side * y + (x + 1) % side), 4 * (side * ((y + 1) % side) + x)], faded = x >= exact || y >= exact;
+            for (let i = 0; i < 4 && !faded; ++i)
+                if (!(Math.abs(made[here + i] - wanted[here + i]) <= worst))
+                    [worst, place] = [Math.abs(made[here + i] - wanted[here + i]), `value ${i} of column ${x}, row ${y}`];
+            const error = errors[faded ? "faded" : "exact"];
+            for (const [i, next] of beside.entries())
+                error[0] += Math.abs((made[next] - made[here]) / texel - (made[next + 1 + i] + made[here + 1 + i]) / 2);
+            error[1] += 2;
+        }
+    const [least, most] = [errors.exact, errors.faded].map(([sum, count]) => sum / count);
+    if (!(worst < 0.0001))
+        throw new Error(`${what}: the map differs from the copied land by ${worst} at ${place}`);
+    if (!(most < 1.2 * least))
+        throw new Error(`${what}: slopes of the map differ from its heights' by ${most} on average where it fades, and ${least} elsewhere`);
+}
+
 globalThis.drawn = (async () => {
     const chosen = new URLSearchParams(location.search).get("only")?.split(".") ?? [...Object.keys(TABS), "page"];
     await until(() => gl && !drawing && !asked && !moving, "draws its first picture");
@@ -219,7 +272,7 @@ globalThis.drawn = (async () => {
     await saveMap();
     for (const name of chosen)
         for (const settings of TABS[name] ? optionsOf(name) : [])
-            await checkTab(name, settings);
+            await (TABS[name].land ? checkLand(settings) : checkTab(name, settings));
 
     open("sea", { moving: true });
     if (!textIn("Shadertoy").includes("int(iTime)"))
