@@ -124,6 +124,7 @@ function useView() {
     send(view, "pointercancel", 40, 40);
     if (!near([depth() / apart], [2], 1e-6))
         wrong(`two fingers that move apart zoom by ${depth() / apart}`);
+    state.pitch = 0.5; // far from its limits
     for (const [there, back] of [["ArrowLeft", "ArrowRight"], ["ArrowDown", "ArrowUp"], ["+", "-"]]) {
         const before = [state.x, state.y, state.yaw, state.pitch, depth()], now = () => [state.x, state.y, state.yaw, state.pitch, depth()];
         if (send(view, "keydown", there) || near(now(), before) || send(view, "keydown", back) || !near(now(), before, 1e-6))
