@@ -76,7 +76,7 @@ struct GaborSea {
 // GaborSea gabor_sea()
 //     A wind of 10 m/s along x, a fetch of 200 km, no swell, deep water, no loop.
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(GaborSea sea)
+// GaborOcean gabor_ocean_of(GaborSea state)
 //     The waves of a sea; gabor_ocean is for any wind and what gabor_sea returns. The spectrum is JONSWAP's [HBB73]
 //     until the sea is fully developed [PM64], in finite depth that of [BGR85], and directions are those of [HDE80], as
 //     if the wind were at most twice as fast as the peak's waves: younger seas would have no direction. A swell has a
@@ -266,7 +266,7 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
     vec2 edge = clamp(1.0 + 2.3 * blur / steps * (1.0 - beside), 0.3, 1.7);
     for (int n = 0; n < 32; ++n) sum += gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea);
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
-    vec3 first = vec3(0.0), second = vec3(0.0), near = vec3(0.0), far = vec3(0.0);
+    vec3 first = vec3(0.0), second = vec3(0.0), to_first = vec3(0.0), to_second = vec3(0.0);
     vec3 ahead = vec3(1.0, 2.0, 3.0) / 6.0;
     for (int n = 0; n < 32; ++n) {
         vec2 part = gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea) / sum;
@@ -274,8 +274,8 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
         vec3 early = clamp(ahead / both, 0.0, 1.0), late = clamp((ahead + 0.5) / both, 0.0, 1.0);
         first += 1024.0 * part.x * early;
         second += 1024.0 * part.x * late;
-        near += 0.03125 * reach * early;
-        far += 0.03125 * reach * late;
+        to_first += 0.03125 * reach * early;
+        to_second += 0.03125 * reach * late;
         ahead -= both;
     }
     first = clamp(floor(first + 0.5), vec3(8.0, 16.0, 24.0), vec3(984.0, 992.0, 1000.0));
@@ -284,8 +284,9 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
     first.z = max(first.z, first.y + 8.0);
     second.x = max(second.x, first.z + 8.0);
     second.y = max(second.y, second.x + 8.0);
-    vec3 early = floor(256.0 * (near - vec3(0.0, near.xy)) / (first - vec3(0.0, first.xy)) + 0.5) / 256.0;
-    vec3 late = floor(256.0 * (far - vec3(near.z, far.xy)) / (second - vec3(first.z, second.xy)) + 0.5) / 256.0;
+    vec3 early = floor(256.0 * (to_first - vec3(0.0, to_first.xy)) / (first - vec3(0.0, first.xy)) + 0.5) / 256.0;
+    vec3 late = (to_second - vec3(to_first.z, to_second.xy)) / (second - vec3(first.z, second.xy));
+    late = floor(256.0 * late + 0.5) / 256.0;
     band.rise = early.x;
     band.knots = vec4(first, second.x);
     band.faster = vec4(early.yz, late.xy) - vec4(early, late.x);
@@ -306,11 +307,11 @@ GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direc
     band.slopes = power.sum * power.steep * vec2(along, 1.0 - along);
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.
     float quarter = 0.25 * GABOR_IMPL_TICK * low * reach / 1024.0, first = GABOR_IMPL_TICK * low + quarter;
-    vec2 near = gabor_impl_dispersion(first, sea.depth) / first;
-    vec2 far = gabor_impl_dispersion(first + 2.0 * quarter, sea.depth) / (first + 2.0 * quarter);
+    vec2 lower = gabor_impl_dispersion(first, sea.depth) / first;
+    vec2 upper = gabor_impl_dispersion(first + 2.0 * quarter, sea.depth) / (first + 2.0 * quarter);
     float deep = 39.478418 / GABOR_IMPL_GRAVITY; // 4 pi^2
-    float rate = sea.depth > 0.0 ? (far.x - near.x) / (2.0 * quarter) : deep;
-    float base = sea.depth > 0.0 ? near.x - rate * first : 0.0;
+    float rate = sea.depth > 0.0 ? (upper.x - lower.x) / (2.0 * quarter) : deep;
+    float base = sea.depth > 0.0 ? lower.x - rate * first : 0.0;
     // The group velocity at the mean frequency is half the phase velocity times 1 + 2 depth / sinh(2 depth).
     float mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     vec2 waves = gabor_impl_dispersion(mean, sea.depth);

@@ -48,7 +48,8 @@ const uint few_waves_id = 26;
 const uint narrow_waves_id = 27;
 const uint wide_waves_id = 28;
 
-// passes/material.comp: what surrounds the material, whether it is laid as boards, and whether it has a finish
+// passes/material.comp: what surrounds the material, whether it is laid as boards, and whether it has a
+// finish
 const uint environment_id = 29;
 const uint boards_id = 30;
 const uint finish_id = 31;

@@ -82,7 +82,7 @@ struct GaborSea {
 // GaborSea gabor_sea()
 //     A wind of 10 m/s along x, a fetch of 200 km, no swell, deep water, no loop.
 // GaborOcean gabor_ocean(float wind)
-// GaborOcean gabor_ocean_of(GaborSea sea)
+// GaborOcean gabor_ocean_of(GaborSea state)
 //     The waves of a sea; gabor_ocean is for any wind and what gabor_sea returns. The spectrum is JONSWAP's [HBB73]
 //     until the sea is fully developed [PM64], in finite depth that of [BGR85], and directions are those of [HDE80], as
 //     if the wind were at most twice as fast as the peak's waves: younger seas would have no direction. A swell has a
@@ -272,7 +272,7 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
     gabor_vec2 edge = gabor_cpp_clamp(1.0f + 2.3f * blur / steps * (1.0f - beside), 0.3f, 1.7f);
     for (int n = 0; n < 32; ++n) sum += gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea);
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
-    gabor_vec3 first = gabor_vec3(0.0f), second = gabor_vec3(0.0f), near = gabor_vec3(0.0f), far = gabor_vec3(0.0f);
+    gabor_vec3 first = gabor_vec3(0.0f), second = gabor_vec3(0.0f), to_first = gabor_vec3(0.0f), to_second = gabor_vec3(0.0f);
     gabor_vec3 ahead = gabor_vec3(1.0f, 2.0f, 3.0f) / 6.0f;
     for (int n = 0; n < 32; ++n) {
         gabor_vec2 part = gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea) / sum;
@@ -280,8 +280,8 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
         gabor_vec3 early = gabor_cpp_clamp(ahead / both, 0.0f, 1.0f), late = gabor_cpp_clamp((ahead + 0.5f) / both, 0.0f, 1.0f);
         first += 1024.0f * part.x * early;
         second += 1024.0f * part.x * late;
-        near += 0.03125f * reach * early;
-        far += 0.03125f * reach * late;
+        to_first += 0.03125f * reach * early;
+        to_second += 0.03125f * reach * late;
         ahead -= both;
     }
     first = gabor_cpp_clamp(gabor_cpp_floor(first + 0.5f), gabor_vec3(8.0f, 16.0f, 24.0f), gabor_vec3(984.0f, 992.0f, 1000.0f));
@@ -290,8 +290,9 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
     first.z = gabor_cpp_max(first.z, first.y + 8.0f);
     second.x = gabor_cpp_max(second.x, first.z + 8.0f);
     second.y = gabor_cpp_max(second.y, second.x + 8.0f);
-    gabor_vec3 early = gabor_cpp_floor(256.0f * (near - gabor_vec3(0.0f, near.xy())) / (first - gabor_vec3(0.0f, first.xy())) + 0.5f) / 256.0f;
-    gabor_vec3 late = gabor_cpp_floor(256.0f * (far - gabor_vec3(near.z, far.xy())) / (second - gabor_vec3(first.z, second.xy())) + 0.5f) / 256.0f;
+    gabor_vec3 early = gabor_cpp_floor(256.0f * (to_first - gabor_vec3(0.0f, to_first.xy())) / (first - gabor_vec3(0.0f, first.xy())) + 0.5f) / 256.0f;
+    gabor_vec3 late = (to_second - gabor_vec3(to_first.z, to_second.xy())) / (second - gabor_vec3(first.z, second.xy()));
+    late = gabor_cpp_floor(256.0f * late + 0.5f) / 256.0f;
     band.rise = early.x;
     band.knots = gabor_vec4(first, second.x);
     band.faster = gabor_vec4(early.yz(), late.xy()) - gabor_vec4(early, late.x);
@@ -312,11 +313,11 @@ GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent
     band.slopes = power.sum * power.steep * gabor_vec2(along, 1.0f - along);
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.
     float quarter = 0.25f * GABOR_IMPL_TICK * low * reach / 1024.0f, first = GABOR_IMPL_TICK * low + quarter;
-    gabor_vec2 near = gabor_impl_dispersion(first, sea.depth) / first;
-    gabor_vec2 far = gabor_impl_dispersion(first + 2.0f * quarter, sea.depth) / (first + 2.0f * quarter);
+    gabor_vec2 lower = gabor_impl_dispersion(first, sea.depth) / first;
+    gabor_vec2 upper = gabor_impl_dispersion(first + 2.0f * quarter, sea.depth) / (first + 2.0f * quarter);
     float deep = 39.478418f / GABOR_IMPL_GRAVITY; // 4 pi^2
-    float rate = sea.depth > 0.0f ? (far.x - near.x) / (2.0f * quarter) : deep;
-    float base = sea.depth > 0.0f ? near.x - rate * first : 0.0f;
+    float rate = sea.depth > 0.0f ? (upper.x - lower.x) / (2.0f * quarter) : deep;
+    float base = sea.depth > 0.0f ? lower.x - rate * first : 0.0f;
     // The group velocity at the mean frequency is half the phase velocity times 1 + 2 depth / sinh(2 depth).
     float mean = GABOR_IMPL_TICK * low * (1.0f + (power.fit.x + 0.5f * reach) / 1024.0f);
     gabor_vec2 waves = gabor_impl_dispersion(mean, sea.depth);

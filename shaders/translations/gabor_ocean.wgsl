@@ -70,7 +70,7 @@ struct GaborSea {
 // fn gabor_sea() -> GaborSea
 //     A wind of 10 m/s along x, a fetch of 200 km, no swell, deep water, no loop.
 // fn gabor_ocean(wind: f32) -> GaborOcean
-// fn gabor_ocean_of(sea: GaborSea) -> GaborOcean
+// fn gabor_ocean_of(state: GaborSea) -> GaborOcean
 //     The waves of a sea; gabor_ocean is for any wind and what gabor_sea returns. The spectrum is JONSWAP's [HBB73]
 //     until the sea is fully developed [PM64], in finite depth that of [BGR85], and directions are those of [HDE80], as
 //     if the wind were at most twice as fast as the peak's waves: younger seas would have no direction. A swell has a
@@ -261,7 +261,7 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
     let edge = clamp(1.0 + 2.3 * blur / steps * (1.0 - beside), vec2f(0.3), vec2f(1.7));
     for (var n = 0; n < 32; n++) { sum += gabor_impl_step_sharp(n, (*band).low, reach, blur, edge, sea); }
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
-    var first = vec3f(0.0); var second = vec3f(0.0); var near = vec3f(0.0); var far = vec3f(0.0);
+    var first = vec3f(0.0); var second = vec3f(0.0); var to_first = vec3f(0.0); var to_second = vec3f(0.0);
     var ahead = vec3f(1.0, 2.0, 3.0) / 6.0;
     for (var n = 0; n < 32; n++) {
         let part = gabor_impl_step_sharp(n, (*band).low, reach, blur, edge, sea) / sum;
@@ -270,8 +270,8 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
         let late = clamp((ahead + 0.5) / both, vec3f(0.0), vec3f(1.0));
         first += 1024.0 * part.x * early;
         second += 1024.0 * part.x * late;
-        near += 0.03125 * reach * early;
-        far += 0.03125 * reach * late;
+        to_first += 0.03125 * reach * early;
+        to_second += 0.03125 * reach * late;
         ahead -= both;
     }
     first = clamp(floor(first + 0.5), vec3f(8.0, 16.0, 24.0), vec3f(984.0, 992.0, 1000.0));
@@ -280,8 +280,9 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
     first.z = max(first.z, first.y + 8.0);
     second.x = max(second.x, first.z + 8.0);
     second.y = max(second.y, second.x + 8.0);
-    let early = floor(256.0 * (near - vec3f(0.0, near.xy)) / (first - vec3f(0.0, first.xy)) + 0.5) / 256.0;
-    let late = floor(256.0 * (far - vec3f(near.z, far.xy)) / (second - vec3f(first.z, second.xy)) + 0.5) / 256.0;
+    let early = floor(256.0 * (to_first - vec3f(0.0, to_first.xy)) / (first - vec3f(0.0, first.xy)) + 0.5) / 256.0;
+    var late = (to_second - vec3f(to_first.z, to_second.xy)) / (second - vec3f(first.z, second.xy));
+    late = floor(256.0 * late + 0.5) / 256.0;
     (*band).rise = early.x;
     (*band).knots = vec4f(first, second.x);
     (*band).faster = vec4f(early.yz, late.xy) - vec4f(early, late.x);
@@ -302,11 +303,11 @@ fn gabor_impl_band(low: f32, reach: f32, exponent: i32, direction: f32, beside: 
     band.slopes = power.sum * power.steep * vec2f((*along), 1.0 - (*along));
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.
     let quarter = 0.25 * GABOR_IMPL_TICK * low * reach / 1024.0; let first = GABOR_IMPL_TICK * low + quarter;
-    let near = gabor_impl_dispersion(first, sea.depth) / first;
-    let far = gabor_impl_dispersion(first + 2.0 * quarter, sea.depth) / (first + 2.0 * quarter);
+    let lower = gabor_impl_dispersion(first, sea.depth) / first;
+    let upper = gabor_impl_dispersion(first + 2.0 * quarter, sea.depth) / (first + 2.0 * quarter);
     let deep = 39.478418 / GABOR_IMPL_GRAVITY; // 4 pi^2
-    let rate = select(deep, (far.x - near.x) / (2.0 * quarter), sea.depth > 0.0);
-    let base = select(0.0, near.x - rate * first, sea.depth > 0.0);
+    let rate = select(deep, (upper.x - lower.x) / (2.0 * quarter), sea.depth > 0.0);
+    let base = select(0.0, lower.x - rate * first, sea.depth > 0.0);
     // The group velocity at the mean frequency is half the phase velocity times 1 + 2 depth / sinh(2 depth).
     let mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     let waves = gabor_impl_dispersion(mean, sea.depth);

@@ -24,7 +24,7 @@ LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"freq
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
 # Parameters that only some requests have.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
-           "light_elevation": 38, "environment": "room", "boards": False}
+           "light_elevation": 38, "environment": "room", "boards": False, "finish": False}
 
 
 class Materials(RenderTest):

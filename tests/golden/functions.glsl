@@ -532,5 +532,11 @@ void see_all(int i) {
     GaborBoard wide = gabor_board(p, dx, dy, tile, any, s.seed);
     SEE(kept(sharp)) SEE(kept(wide)) SEE(kept(gabor_laid(metal, sharp, any))) SEE(kept(gabor_laid(stone, wide, any)))
     SEE(kept(gabor_covered(metal, stone, 0.0f))) SEE(kept(gabor_worn(stone, metal, 0.1f)))
+    GaborFinish finish = gabor_finish_default();
+    SEE(kept(gabor_finished(stone, p, period, finish, s.seed)))
+    finish.dirt_amount = 0.5f;
+    finish.dust_amount = 0.3f;
+    finish.grain_height = 0.0005f;
+    SEE(kept(gabor_finished_filtered(metal, p, dx, dy, period, finish, s.seed)))
 #endif
 }

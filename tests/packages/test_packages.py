@@ -398,8 +398,8 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "compose", "erosion", "ocean",
-                                                  "direction", "fractal")}
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "fractal", "materials", "compose", "erosion",
+                                                  "ocean", "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
     def made(self, root):
