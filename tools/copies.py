@@ -1,6 +1,7 @@
 """Other files made from the drop-ins: the page that contains them, and the program's tables of materials and of structs' members.
 tools/translate calls this module."""
 
+import base64
 import json
 import math
 import pathlib
@@ -14,6 +15,7 @@ DROP_INS = sorted(path for path in (ROOT / "shaders").glob("gabor_*.glsl") if pa
 # The page that contains shaders: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
 IN_PAGE = re.compile(r'(<script type="text/plain" id="([\w.]+)">\n)(?:.*\n)*?(</script>\n)')
+IN_IMAGE = re.compile(r'(<img id="(\w+)" alt="[^"]*" src=")[^"]*')
 
 
 def needed(path):
@@ -87,42 +89,62 @@ def controls(tree):
                       for option, kind, _, _, usual, numbers, about in parameters(tree))
 
 
-def materials(of_materials, of_boards):
-    """Returns the page's JSON: the controls of materials and of boards, and the program's presets that are materials."""
+def with_members(presets, pattern):
+    """Returns the presets without what is no part of a picture's content: pixels and files."""
+    return {name: {key: value for key, value in preset.items() if re.match(pattern, key)} for name, preset in presets.items()}
+
+
+def data(of_materials, of_boards, of_erosion):
+    """Returns the page's JSON: the controls of materials, boards and erosion, and the program's presets of materials and places."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
-    presets = {name: {key: value for key, value in preset.items() if re.match(r"material|seed|boards|finish|.*\.", key)}
-               for name, preset in presets.items() if "material" in preset}
-    lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(presets[name])}" for name in presets)
-    return f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"presets": {{\n{lines}}}}}\n'
+    materials = with_members({name: preset for name, preset in presets.items() if "material" in preset}, r"material|seed|boards|finish|.*\.")
+    places = {view: with_members({name: preset for name, preset in presets.items() if preset.get("view") == view}, "(?!view|width|height)")
+              for view in ("landscape", "ocean")}
+    parts = {"presets": materials, **places}
+    listed = (f'"{part}": {{\n' + ",\n".join(f"{json.dumps(name)}: {json.dumps(preset)}" for name, preset in named.items()) + "}"
+              for part, named in parts.items())
+    return (f'{{"controls": [\n{controls(of_materials)}],\n"boards": [\n{controls(of_boards)}],\n"erosion": [\n{controls(of_erosion)}],\n'
+            + ",\n".join(listed) + "}\n")
 
 
-def in_shaders(*names):
-    return tuple(ROOT / "shaders" / f"{name}.glsl" for name in names)
-
-
-# The files of the page's sea, in order, which has more bands than the translation, and of its ground.
-SEA = in_shaders("gabor_ocean", "passes/seascape", "passes/srgb")
-SEA_MACROS = "GABOR_OCEAN_BANDS=12",
-GROUND = in_shaders("passes/ground", "passes/ranges")
+# What the page adds to drop-ins, in order, each after those before it; and macros. The page's sea has more bands than the translation.
+PASSES = {
+    ("gabor_fractal", "gabor_erosion"): ((), ["ground", "ranges", "landscape", "srgb"]),
+    ("gabor_ocean",): (("GABOR_OCEAN_BANDS=12",), ["seascape", "srgb"]),
+    ("gabor_materials",): ((), ["room", "light", "srgb", "ball"]),
+}
+FIT = DEMO.parent / "photograph.glsl"  # by gabor fit, of photograph.webp
 
 
 def brief(text):
-    """Returns a shader for the page: its first line, its license and the code, without the manual and other comments."""
+    """Returns a shader for the page: its first line, its license and the code, without the manual, other comments and includes."""
     title, code, license = text.partition("\n")[0], glsl.without_comments(text), re.search("// Copyright.*", text)
+    code = re.sub(r"(?m)^#(?:ifndef|if !defined).*\n(?:#if .*\n)?#include .*\n(?:#endif\n)+", "", code)
     return "\n".join([title, *([license[0]] if license else []), *filter(None, code.split("\n"))]) + "\n"
 
 
-def made(shader, in_wgsl):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `in_wgsl` a file in WGSL, given the files
-    before it."""
+def made(shader, translation):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `translation` a file in a language, given
+    its macros and the files before it."""
     trees = {path.stem: shader(path) for path in DROP_INS}
-    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*(trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion", "ocean")))
+    parts = [trees[f"gabor_{name}"] for name in ("materials", "compose", "erosion", "ocean")]
+    yield ROOT / "host" / "render" / "request" / "struct_rows.inc", struct_rows(*parts)
     yield ROOT / "host" / "render" / "request" / "material_rows.inc", material_rows(trees["gabor_materials"])
-    sources = [*DROP_INS, *(ROOT / "shaders" / "passes").glob("*.glsl"), *(ROOT / "shaders" / "translations").glob("*.wgsl"),
-               *(ROOT / "shaders" / "nodes" / "three").glob("*.js")]
-    texts = {path.name: path.read_text() for path in sources} | {"materials.json": materials(trees["gabor_materials"], trees["gabor_compose"])}
-    for files, macros, before in (SEA, SEA_MACROS, ("gabor_noise",)), (GROUND, (), ("gabor_noise", "gabor_erosion", "gabor_fractal")):
-        for i, path in enumerate(files):
-            texts[f"{path.stem}.wgsl"] = in_wgsl(path, macros=macros, before=(*in_shaders(*before), *files[:i]))
-    texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl"))}
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())
+    shaders = ROOT / "shaders"
+    sources = [*DROP_INS, *(shaders / "passes").glob("*.glsl"), *(shaders / "translations").glob("*.wgsl"),
+               *(shaders / "translations").glob("*.hlsl"), *(shaders / "nodes" / "three").glob("*.js")]
+    texts = {path.name: path.read_text() for path in sources} | {"presets.json": data(*parts[:3])}
+    for names, (macros, passes) in PASSES.items():
+        drop_ins = [shaders / f"{name}.glsl" for name in names]
+        before = tuple(dict.fromkeys(each for path in drop_ins for each in (*needed(path), path)))
+        for path in (shaders / "passes" / f"{each}.glsl" for each in passes):
+            texts[f"{path.stem}.wgsl"] = translation(path, "wgsl", macros=macros, before=before)
+            texts[f"{path.stem}.hlsl"] = translation(path, "hlsl", before=before)
+            before = (*before, path)
+        for path in drop_ins if macros else ():
+            texts[f"{path.stem}.wgsl"] = translation(path, "wgsl", macros=macros, before=tuple(needed(path)))
+    texts |= {FIT.name: FIT.read_text()} | {f"{FIT.stem}.{ending}": translation(FIT, ending) for ending in ("wgsl", "hlsl")}
+    texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl", ".hlsl"))}
+    pictures = {path.stem: base64.b64encode(path.read_bytes()).decode() for path in DEMO.parent.glob("*.webp")}
+    page = IN_PAGE.sub(lambda match: match[1] + texts[match[2]] + match[3], DEMO.read_text())
+    yield DEMO, IN_IMAGE.sub(lambda match: f"{match[1]}data:image/webp;base64,{pictures[match[2]]}", page)

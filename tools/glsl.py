@@ -20,9 +20,9 @@ LOGICAL = set("|| && == != < > <= >=".split())
 ASSIGNMENTS = set("= += -= *= /= %= &= |= ^= <<= >>=".split())
 # GLSL's functions that have a translation. The second ones turn vectors into a number.
 FUNCTIONS = """abs acos asin atan ceil clamp cos cross distance dot exp exp2 floor fract inversesqrt length log log2 max
-    min mix normalize pow sign sin smoothstep sqrt step tan trunc uintBitsToFloat""".split()
+    min mix normalize pow reflect sign sin smoothstep sqrt step tan trunc uintBitsToFloat""".split()
 REDUCING = {"dot", "length", "distance"}
-ARGUMENTS = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys("min max pow step dot distance cross".split(), 2)
+ARGUMENTS = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys("min max pow step dot distance cross reflect".split(), 2)
 # The arguments of functions of vectors that may be numbers, all or none of them, and functions of whole numbers, too.
 NUMBERS = {"min": (1,), "max": (1,), "clamp": (1, 2), "mix": (2,), "step": (0,), "smoothstep": (0, 1)}
 WHOLE = {"abs": "int", "sign": "int", "min": "int uint", "max": "int uint", "clamp": "int uint"}
@@ -457,7 +457,7 @@ class Shader:
         numbers = {sizes[i] for i in NUMBERS.get(name, ())}
         others = {count for i, count in enumerate(sizes) if i not in NUMBERS.get(name, ())}
         wanted = "uint" if name == "uintBitsToFloat" else f"float {WHOLE.get(name, '')}"
-        lacking = size == 1 and name in REDUCING | {"normalize"} or name == "cross" and size != 3  # in HLSL, Metal or C++
+        lacking = size == 1 and name in REDUCING | {"normalize", "reflect"} or name == "cross" and size != 3  # in HLSL, Metal or C++
         if kinds - {None} and (len(kinds) > 1 or kind not in wanted.split() or others != {size} or lacking or numbers - {size} and numbers != {1}):
             self.refuse_types(node)
         kind = "float" if name == "uintBitsToFloat" else kind

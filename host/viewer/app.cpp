@@ -55,6 +55,12 @@ Placement placement(const Options& options, const Settings& settings) {
     return placement;
 }
 
+Document first_document() {
+    Document document = load_document(first_preset);
+    document.path = fmt::format("{}.json", first_preset);
+    return document;
+}
+
 } // namespace
 
 App::App(const Options& options)
@@ -63,8 +69,7 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       painter_(device_, swapchain_.render_pass()), commands_(device_),
-      session_(options.document ? *options.document : load_document(first_preset), options.device),
-      canvas_(device_) {
+      session_(options.document ? *options.document : first_document(), options.device), canvas_(device_) {
     restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
@@ -121,8 +126,13 @@ void App::save_session() {
                       session_.ui_scale,   to_json(document),
                       document.path,       session_.export_target.path,
                       session_.recent,     unsaved ? system::process_id() : 0};
-    if (settings != settings_)
-        save_settings(settings_ = std::move(settings));
+    if (settings == settings_)
+        return;
+    settings_ = std::move(settings);
+    const std::string error = save_settings(settings_);
+    if (!error.empty() && error != unkept_)
+        notify(session_, error, true);
+    unkept_ = error;
 }
 
 Area App::view_area(Extent window) const {
@@ -188,7 +198,7 @@ void App::panels() {
     if (session_.gallery) {
         gallery_ = gallery_window(session_, view, size.y);
     } else {
-        view_overlay(session_);
+        view_overlay(session_, busy_ ? glfwGetTime() - rested_at_ : 0);
         session_.reading = value_under_pointer();
         reading_overlay(session_, view);
         photograph_overlay(session_, view, size.y);
@@ -338,6 +348,8 @@ bool App::frame(const FrameHook& hook) {
         return true;
     const Extent extent = window_.pixels();
     busy_ = refine(extent);
+    if (!busy_)
+        rested_at_ = glfwGetTime();
     if (window_png_)
         write_png(extent, *std::exchange(window_png_, {}), [&](vk::CommandBuffer commands) {
             paint(commands, view_area(extent));

@@ -78,6 +78,8 @@ class App {
     double last_input_ = 0;
     double saved_at_ = 0; ///< when the session was last saved
     bool busy_ = true;
+    double rested_at_ = 0;  ///< when the view was last as fine as its pixels
+    std::string unkept_;    ///< why settings could not be kept the last time
     bool small_ = false;    ///< whether the window is too small for the panel
     bool offering_ = false; ///< whether a question offers to restore an unsaved session
 };

@@ -119,7 +119,12 @@ constexpr std::array shortcuts{
     Shortcut{"Tab", "show the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
              [](Session& s) { s.photograph_beside ^= s.fitter.photograph() != nullptr; }},
     Shortcut{"T", "show a tileable picture two by two, to look for seams", GLFW_KEY_T,
-             [](Session& s) { s.tiles = !s.tiles; }, "tiles", "Make the picture tileable first"},
+             [](Session& s) {
+                 s.tiles = !s.tiles;
+                 if (s.tiles && !has_effect(s.document(), "tiles"))
+                     set_parameter(s.document(), "tileable", true);
+             },
+             "tileable", "This view has no tiles"},
     Shortcut{"P", "show the presets as pictures", GLFW_KEY_P, [](Session& s) { s.gallery = !s.gallery; }},
     Shortcut{"Space", "play or pause the animation", GLFW_KEY_SPACE,
              [](Session& s) { s.playing = !s.playing; }, "animation", "Nothing here changes with time"},
@@ -129,7 +134,7 @@ constexpr std::array shortcuts{
     Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", ctrl + GLFW_KEY_O, ask_for_file},
     Shortcut{"Ctrl S", "save; the first time, choose where", ctrl + GLFW_KEY_S, save_preset},
     Shortcut{"Ctrl C", "copy GLSL that draws this view", ctrl + GLFW_KEY_C, copy_glsl},
-    Shortcut{"Ctrl E", "export", ctrl + GLFW_KEY_E, start_export},
+    Shortcut{"Ctrl E", "export: a question says where to and what", ctrl + GLFW_KEY_E, ask_about_export},
     Shortcut{"H", "hide or show the panels", GLFW_KEY_H, [](Session& s) { s.panels = !s.panels; }},
     Shortcut{"F11", "fill the screen"},
     Shortcut{"F1", "show this page"},

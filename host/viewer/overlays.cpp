@@ -6,7 +6,8 @@
 
 namespace gabor::viewer {
 
-void view_overlay(const Session& session) {
+void view_overlay(const Session& session, double refining) {
+    constexpr double soon = 0.4; // seconds
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float margin = ImGui::GetStyle().WindowPadding.x;
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
@@ -15,6 +16,8 @@ void view_overlay(const Session& session) {
               fmt::format("2 x 2 tiles at {:.0f} %", 100 * session.tiling->camera.zoom), text);
     else if (const double zoom = session.history.now.camera.zoom; zoom != 1)
         label(draw, {margin, margin}, fmt::format("view at {:.0f} %", 100 * zoom), text);
+    if (refining > soon)
+        label(draw, {margin, 2 * margin + ImGui::GetFontSize()}, "refining", text);
 }
 
 void reading_overlay(const Session& session, float width) {

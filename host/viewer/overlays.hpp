@@ -5,7 +5,8 @@
 namespace gabor::viewer {
 
 /// Labels a view that is zoomed or tiled.
-void view_overlay(const Session& session);
+/// `refining`: for how many seconds the view has been getting finer.
+void view_overlay(const Session& session, double refining);
 /// Shows the values under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);
 /// Shows messages at the bottom of a view of that size.

@@ -87,7 +87,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         const auto& colour = std::get<std::array<double, 3>>(value);
         std::ranges::transform(colour, shown.begin(),
                                [](double part) { return render::srgb(static_cast<float>(part)); });
-        if (!ImGui::ColorEdit3(label.c_str(), shown.data(), ImGuiColorEditFlags_DisplayHex))
+        if (!colour_field(label.c_str(), shown))
             return {};
         return render::read(parameter, hex(shown));
     }
@@ -104,7 +104,8 @@ void control(Session& session, std::string_view name) {
     const std::optional<render::Value> value = parameter.get(request);
     if (!value || !has_effect(session.document(), name))
         return;
-    const std::optional<render::Value> edited = edit(parameter, *value, request);
+    std::optional<render::Value> edited;
+    attempt(session, [&] { edited = edit(parameter, *value, request); });
     tooltip(help_of(parameter));
     if (edited)
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
@@ -435,7 +436,7 @@ void side_panel(Session& session) {
                 [](Session& s) {
                     controls(s, {"recipe", "gradient", "phasor"});
                 },
-                false}};
+                false, !render::is_surface(request.kind)}};
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons
     if (!std::exchange(session.scrolled_back, true))
         ImGui::SetScrollY(0);

@@ -72,7 +72,7 @@ void ramp_editor(Session& session) {
         draw.AddCircle(middle, reach, ImGui::GetColorU32(i == selected ? ImGuiCol_CheckMark : ImGuiCol_Text),
                        0, 1.5f);
     }
-    ImGui::ColorEdit3("colour", ramp[selected].colour.data(), ImGuiColorEditFlags_DisplayHex);
+    attempt(session, [&] { colour_field("colour", ramp[selected].colour); });
     if (ramp.size() > 2) {
         ImGui::SameLine();
         if (ImGui::Button("remove"))

@@ -229,6 +229,27 @@ void start_export(Session& session) {
     });
 }
 
+void ask_about_export(Session& session) {
+    if (session.exporter.running())
+        return notify(session, "an export is running: wait for it, or cancel it in the panel", true);
+    const ExportTarget target = session.export_target.of(session.document());
+    const render::Request request = exported(session.document(), target);
+    std::vector<std::string> files;
+    for (const std::filesystem::path& path : paths_of(target))
+        files.push_back(path.filename().string());
+    constexpr std::size_t most_named = 4;
+    if (const std::size_t count = files.size(); count > most_named) {
+        files.resize(most_named - 1);
+        files.push_back(fmt::format("{} more", count - files.size()));
+    }
+    const auto folder = target.as == ExportAs::maps ? std::filesystem::path(target.folder)
+                                                    : std::filesystem::absolute(target.path).parent_path();
+    session.question = {fmt::format("Export {} x {} pixels to {}: {}?", request.width, request.height,
+                                    path_from_home(folder), fmt::join(files, ", ")),
+                        {{"Export", [&session] { start_export(session); }, 'E'},
+                         {"Choose where...", [&session] { ask_where_to_export(session); }, 'W'}}};
+}
+
 void poll_exporter(Session& session) {
     if (session.exporter.running() || std::exchange(session.exported, true))
         return;

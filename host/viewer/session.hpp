@@ -96,6 +96,8 @@ void save_preset(Session& session);
 /// Saves the document to its path, with the extension .json.
 void write_preset(Session& session);
 void start_export(Session& session);
+/// Asks whether to export, and says which files that would write.
+void ask_about_export(Session& session);
 /// Shows the result of an export that has ended. Call it in each frame.
 void poll_exporter(Session& session);
 void copy_glsl(Session& session);

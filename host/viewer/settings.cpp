@@ -3,6 +3,7 @@
 #include "image/output_file.hpp"
 #include "system/desktop.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -41,17 +42,20 @@ Settings load_settings() {
     }
 }
 
-void save_settings(const Settings& settings) {
+std::string save_settings(const Settings& settings) {
     const std::filesystem::path path = settings_path();
     try {
+        if (path.empty())
+            throw std::runtime_error("neither HOME nor XDG_CONFIG_HOME is set");
         std::filesystem::create_directories(path.parent_path());
         const std::string text =
             nlohmann::json(settings).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
         image::OutputFile file(path);
         file.write(std::as_bytes(std::span(text)));
         file.commit();
-    } catch (const std::exception&) {
-        // the settings are lost
+        return {};
+    } catch (const std::exception& error) {
+        return fmt::format("cannot keep settings and the session for the next start: {}", error.what());
     }
 }
 

@@ -26,7 +26,7 @@ struct Settings {
 
 /// Returns the defaults if viewer.json is missing or cannot be read.
 Settings load_settings();
-/// Replaces viewer.json atomically. Ignores errors: the settings are then lost.
-void save_settings(const Settings& settings);
+/// Replaces viewer.json atomically. Returns why it cannot, in one line; empty if it has.
+std::string save_settings(const Settings& settings);
 
 } // namespace gabor::viewer

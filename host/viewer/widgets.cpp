@@ -1,6 +1,8 @@
 #include "viewer/widgets.hpp"
 
+#include "error.hpp"
 #include "viewer/dear_imgui.hpp"
+#include "viewer/document.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ranges>
 
 namespace gabor::viewer {
@@ -120,6 +123,43 @@ bool choose_number(const char* label, std::size_t& number, std::span<const std::
     if (before < tips.size())
         tooltip(tips[before]);
     return number != before;
+}
+
+namespace {
+
+// The colour of six hexadecimal digits after an optional #.
+std::optional<std::array<float, 3>> colour_of(std::string_view code) {
+    code.remove_prefix(code.starts_with('#') ? 1 : 0);
+    if (code.size() != 6 || code.find_first_not_of("0123456789abcdefABCDEF") != code.npos)
+        return {};
+    const unsigned long bits = std::stoul(std::string(code), nullptr, 16);
+    const auto part = [bits](int shift) { return static_cast<float>(bits >> shift & 255) / 255; };
+    return std::array{part(16), part(8), part(0)};
+}
+
+} // namespace
+
+bool colour_field(const char* label, std::array<float, 3>& colour) {
+    static std::string typed; // in the field that is being edited
+    const float between = ImGui::GetStyle().ItemInnerSpacing.x;
+    std::array<char, 32> code{};
+    hex(colour).copy(code.data(), code.size() - 1);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - between);
+    const bool edited = ImGui::InputText(fmt::format("##{}", label).c_str(), code.data(), code.size());
+    if (edited)
+        typed = code.data();
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    ImGui::SameLine(0, between);
+    const bool picked = ImGui::ColorEdit3(label, colour.data(),
+                                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_DisplayHex);
+    if (!edited && !left)
+        return picked;
+    const auto read = colour_of(typed);
+    if (!read && left)
+        throw RequestError(fmt::format("'{}' is no colour: expected six hexadecimal digits, such as {}",
+                                       typed, hex(colour)));
+    colour = read.value_or(colour);
+    return picked || read;
 }
 
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap) {

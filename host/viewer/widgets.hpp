@@ -41,6 +41,10 @@ bool choose(const char* label, T& value, std::span<const std::string_view> names
     return chosen;
 }
 
+/// A colour's code, such as #7A3F10, and a button that opens a picker. Returns whether the colour was
+/// changed. Throws RequestError when the user leaves the code and it is none.
+bool colour_field(const char* label, std::array<float, 3>& colour);
+
 /// Draws text on a picture. Breaks lines wider than `wrap` unless that is 0.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap = 0);
 

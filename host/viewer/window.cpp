@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 namespace gabor::viewer {
 
@@ -15,18 +18,57 @@ namespace {
 
 std::string last_error;
 
+constexpr Extent least{480, 320};
+
 void note_error(int, const char* text) {
     last_error = text;
 }
 
-// The space that the desktop leaves for windows.
-Extent screen() {
-    Extent extent{16384, 16384};
+// The part of a screen that the desktop leaves for windows.
+struct WorkArea {
     int x = 0;
     int y = 0;
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
-        glfwGetMonitorWorkarea(monitor, &x, &y, &extent.width, &extent.height);
-    return extent;
+    Extent extent{16384, 16384};
+};
+
+WorkArea work_area(GLFWmonitor* monitor) {
+    WorkArea area;
+    if (monitor)
+        glfwGetMonitorWorkarea(monitor, &area.x, &area.y, &area.extent.width, &area.extent.height);
+    return area;
+}
+
+// On Wayland, windows are measured in units that the desktop scales, but GLFW states work areas in pixels,
+// and windows cannot choose their place.
+bool on_wayland() {
+    std::uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    return std::any_of(names, names + count,
+                       [](std::string_view name) { return name == "VK_KHR_wayland_surface"; });
+}
+
+// The work area on which a point lies, or else the primary screen's.
+WorkArea work_area_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        const WorkArea area = work_area(monitors[i]);
+        if (x >= area.x && y >= area.y && x < area.x + area.extent.width && y < area.y + area.extent.height)
+            return area;
+    }
+    return work_area(glfwGetPrimaryMonitor());
+}
+
+std::string no_display() {
+    const auto is_set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value;
+    };
+    if (is_set("WAYLAND_DISPLAY") && !is_set("DISPLAY"))
+        return fmt::format("cannot use the Wayland display ({}): install libglfw3-wayland in place of "
+                           "libglfw3, or start Xwayland",
+                           last_error);
+    return fmt::format("there is no display ({}): start gabor-viewer on a desktop", last_error);
 }
 
 } // namespace
@@ -34,24 +76,40 @@ Extent screen() {
 Window::Window(const Placement& placement) {
     glfwSetErrorCallback(note_error);
     if (!glfwInit())
-        throw std::runtime_error(
-            fmt::format("there is no display ({}): start gabor-viewer on a desktop", last_error));
+        throw std::runtime_error(no_display());
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_MAXIMIZED, placement.maximized);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    const Extent most = screen();
-    window_ = glfwCreateWindow(std::min(placement.width, most.width), std::min(placement.height, most.height),
-                               "Gabor noise", nullptr, nullptr);
+    window_ = glfwCreateWindow(least.width, least.height, "Gabor noise", nullptr, nullptr);
     if (!window_ || !glfwVulkanSupported()) {
+        const std::string why = window_ ? "no Vulkan driver found: " + vulkan::how_to_get_a_driver()
+                                        : fmt::format("cannot open a window for Vulkan: {}", last_error);
         if (window_)
             glfwDestroyWindow(window_);
         glfwTerminate();
-        throw std::runtime_error(fmt::format("cannot open a window for Vulkan: {}", last_error));
+        throw RequestError(why);
     }
-    glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    if (placement.x >= 0 && placement.y >= 0)
-        glfwSetWindowPos(window_, placement.x, placement.y);
+    const bool placed = placement.x >= 0 && placement.y >= 0 && !on_wayland();
+    WorkArea area = placed ? work_area_at(placement.x, placement.y) : work_area(glfwGetPrimaryMonitor());
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor && on_wayland()) {
+        float x = 1;
+        float y = 1;
+        glfwGetMonitorContentScale(monitor, &x, &y);
+        area.extent = {static_cast<int>(static_cast<float>(area.extent.width) / x),
+                       static_cast<int>(static_cast<float>(area.extent.height) / y)};
+    }
+    const auto fitting = [this](int units, int most) {
+        return std::min(static_cast<int>(std::lround(units * unit())), most);
+    };
+    const Extent size{fitting(placement.width, area.extent.width),
+                      fitting(placement.height, area.extent.height)};
+    glfwSetWindowSizeLimits(window_, std::min(least.width, size.width), std::min(least.height, size.height),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSize(window_, size.width, size.height);
+    if (placed)
+        glfwSetWindowPos(window_, std::clamp(placement.x, area.x, area.x + area.extent.width - size.width),
+                         std::clamp(placement.y, area.y, area.y + area.extent.height - size.height));
+    if (placement.maximized)
+        glfwMaximizeWindow(window_);
     glfwShowWindow(window_);
 }
 
@@ -79,7 +137,8 @@ void Window::set_full_screen(bool full) {
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     } else {
         const Placement& to = before_full_screen_;
-        glfwSetWindowMonitor(window_, nullptr, to.x, to.y, to.width, to.height, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window_, nullptr, to.x, to.y, static_cast<int>(std::lround(to.width * unit())),
+                             static_cast<int>(std::lround(to.height * unit())), GLFW_DONT_CARE);
     }
 }
 
@@ -90,9 +149,24 @@ Placement Window::placement() const {
 Placement Window::windowed() const {
     Placement placement;
     glfwGetWindowPos(window_, &placement.x, &placement.y);
-    glfwGetWindowSize(window_, &placement.width, &placement.height);
+    Extent size;
+    glfwGetWindowSize(window_, &size.width, &size.height);
+    placement.width = static_cast<int>(std::lround(size.width / unit()));
+    placement.height = static_cast<int>(std::lround(size.height / unit()));
     placement.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
     return placement;
+}
+
+double Window::unit() const {
+    Extent size;
+    glfwGetWindowSize(window_, &size.width, &size.height);
+    float x = 1;
+    float y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    const int across = pixels().width;
+    const double per_size =
+        across > 0 && size.width > 0 ? 1.0 * across / size.width : 1.0; // 1 on X11, the scale on Wayland
+    return std::clamp(double{std::max(x, y)}, 0.5, 4.0) / per_size;
 }
 
 Extent Window::pixels() const {
@@ -114,7 +188,8 @@ float Window::density() const {
     float y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
     const float stated = std::max(x, y);
-    const float by_height = std::clamp(static_cast<float>(screen().height) / usual_height, 1.0f, 2.0f);
+    const float by_height = std::clamp(
+        static_cast<float>(work_area(glfwGetPrimaryMonitor()).extent.height) / usual_height, 1.0f, 2.0f);
     return stated == 1 && glfwGetPrimaryMonitor() ? by_height : std::clamp(stated, 0.5f, 4.0f);
 }
 

@@ -13,7 +13,8 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
-/// Position and size of a window, in the desktop's units.
+/// Position of a window on the desktop, and its size in units that look equally large at each resolution:
+/// pixels at 96 dpi.
 struct Placement {
     int x = -1; ///< -1 lets the desktop decide
     int y = -1;
@@ -23,7 +24,8 @@ struct Placement {
     bool operator==(const Placement&) const = default;
 };
 
-/// A GLFW window. Throws std::runtime_error if there is no display.
+/// A GLFW window on the screen and no larger than it. Throws std::runtime_error if there is no display, and
+/// RequestError if there is no Vulkan driver that can draw on it.
 class Window {
   public:
     explicit Window(const Placement& placement);
@@ -43,6 +45,7 @@ class Window {
 
   private:
     Placement windowed() const;
+    double unit() const; ///< the desktop's measure of a unit of Placement
 
     GLFWwindow* window_ = nullptr;
     Placement before_full_screen_;

@@ -44,7 +44,8 @@ bool validating() {
     return !validation().empty();
 }
 
-// What to do if the Vulkan loader finds no driver. Environment variables can hide those that are installed.
+} // namespace
+
 std::string how_to_get_a_driver() {
     for (const char* name :
          {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_LOADER_DRIVERS_SELECT",
@@ -55,6 +56,8 @@ std::string how_to_get_a_driver() {
                                name, value);
     return std::string(system::how_to_get_a_driver);
 }
+
+namespace {
 
 // Throws RequestError if there is no Vulkan loader.
 vk::raii::Context load_vulkan() {

@@ -25,6 +25,9 @@ struct DeviceInfo {
     bool timestamps = false;             ///< whether GPU time can be measured
 };
 
+/// What to do if the Vulkan loader finds no driver. Environment variables can hide those that are installed.
+std::string how_to_get_a_driver();
+
 /// Lists the Vulkan 1.1 devices with a compute queue. Throws RequestError if there is no device or no Vulkan
 /// loader.
 std::vector<DeviceInfo> devices();

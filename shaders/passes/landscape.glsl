@@ -66,7 +66,7 @@ vec3 alpine_colour(Ground ground, Site site) {
     vec3 colour = mix(scree, grass, green);
     colour = mix(colour, rock, smoothstep(0.6, 0.95, site.steep * (1.0 + 0.18 * n) + 0.12 * here.ridge));
     vec4 wood = trees(ground, site, smoothstep(0.2, -0.25, height - 0.06 * here.ridge) * smoothstep(1.7, 1.0, site.steep + 0.15 * n));
-    colour = mix(colour, wood.rgb, wood.a);
+    colour = mix(colour, wood.xyz, wood.w);
     // Snow lies where it is high and not too steep, longest in creases and away from the sun.
     float shade = dot(here.slope, ground.sun), lies = here.height - 0.1 * here.ridge + 0.1 * shade + 0.05 * n + 0.05 * broad;
     float snow = smoothstep(0.3, 0.44, lies) * smoothstep(1.35, 0.85, site.steep * (1.0 + 0.15 * n) - 0.5 * smoothstep(0.4, 0.9, lies));
@@ -100,7 +100,7 @@ vec3 meadow_colour(Ground ground, Site site) {
     float low = smoothstep(0.12, -0.08, here.height + 0.06 * site.broad) * smoothstep(0.5, 0.3, site.steep + 0.04 * n);
     vec3 colour = mix(grass, field_colour(ground, site), low);
     vec4 wood = trees(ground, site, 0.75 * smoothstep(0.3, 0.6, site.steep + 0.1 * site.broad) * smoothstep(0.35, 0.1, here.height + 0.1 * here.ridge + 0.1 * n));
-    colour = mix(colour, wood.rgb, wood.a);
+    colour = mix(colour, wood.xyz, wood.w);
     return mix(colour, vec3(0.2, 0.18, 0.15), smoothstep(0.95, 1.5, site.steep * (1.0 + 0.2 * n))) * (1.0 + 0.08 * n);
 }
 
@@ -222,7 +222,8 @@ RayEnd end_of_ray(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
             if (narrowed < 0) over = resumed > 0.0 ? vec2(steps.z, heights.z) : vec2(steps.x, heights.x);
             if (above < 0.0) under = vec2(t, above); else over = vec2(t, above);
             t = mix(over.x, under.x, clamp(over.y / (over.y - under.y), 0.15, 0.85));
-            if (++narrowed < 4) continue;
+            ++narrowed;
+            if (narrowed < 4) continue;
             end.ground = t;
             if (t - end.edge < 8.0 * wide * t) end.covered = 0.0; // the same slope
             break;

@@ -306,5 +306,10 @@ GABOR_INLINE gabor_vector<float, N> gabor_cpp_normalize(gabor_vector<float, N> v
 GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
+template <int N>
+GABOR_INLINE gabor_vector<float, N> gabor_cpp_reflect(gabor_vector<float, N> v,
+                                                      gabor_vector<float, N> normal) {
+    return v - normal * (2.0f * gabor_cpp_dot(normal, v));
+}
 
 #endif // GABOR_VECTORS_HPP

@@ -380,12 +380,12 @@ RWStructuredBuffer<float> values : register(u0);
 class Functions(unittest.TestCase):
     def calls(self):
         """Returns GLSL with each function that is translated, for numbers, where GLSL ES has it, and vectors."""
-        counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross"], 2)
+        counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross", "reflect"], 2)
         lines = ["step(0.5, vec2(x)); smoothstep(0.0, 1.0, vec4(x)); mix(vec3(x), vec3(1.0), 0.5); atan(vec2(x), vec2(1.0)); sign(-2); abs(-1);",
                  "abs(ivec3(-1)); min(1, 2); min(uvec2(1u), uvec2(2u)); max(1u, 2u); clamp(1, 2, 3); clamp(ivec4(1), ivec4(0), ivec4(2));"]
         for name, size in itertools.product(glsl.FUNCTIONS, (1, 2, 3, 4)):
             kind = "uint" if name == "uintBitsToFloat" else "float"
-            of_vectors = name in {*glsl.REDUCING, "normalize"}
+            of_vectors = name in {*glsl.REDUCING, "normalize", "reflect"}
             if size == 3 or name != "cross" and (size > 1 or not of_vectors):
                 given = [f"{glsl.TYPES[kind, size]}(x)"] * counts.get(name, 1)
                 lines.append(f"{name}({', '.join(given)});")

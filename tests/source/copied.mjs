@@ -11,7 +11,7 @@ const nothing = new Proxy(function () {}, {
     get: (_, name) => name === Symbol.iterator ? () => [].values() : name === Symbol.toPrimitive ? () => 0 : nothing,
     set: () => true, apply: () => nothing, construct: () => nothing,
 });
-const names = "addEventListener requestAnimationFrame setTimeout clearTimeout getComputedStyle history matchMedia ImageData Option".split(" ");
+const names = "addEventListener requestAnimationFrame setTimeout clearTimeout getComputedStyle history matchMedia ImageData Option ResizeObserver".split(" ");
 const scope = { ...Object.fromEntries(names.map(name => [name, nothing])), URLSearchParams, location: { hash: "" }, devicePixelRatio: 1, innerWidth: 900, innerHeight: 600,
                 document: { querySelector: () => nothing, querySelectorAll: () => nothing, createElement: () => nothing,
                             getElementById: name => ({ textContent: texts[name] }) } };
@@ -23,8 +23,8 @@ const copies = `;(() => {
         copy(name);
         for (const control of tab().controls.filter(each => each.options || each.check)) {
             // Of the presets, one for each material.
-            const options = control.check ? [true] : control.options.filter((each, i, all) => control.name !== "preset"
-                || all.findIndex(other => MATERIALS.presets[other].material === MATERIALS.presets[each].material) === i);
+            const options = control.check ? [true] : control.options.filter((each, i, all) => control.name !== "preset" || name !== "materials"
+                || all.findIndex(other => DATA.presets[other].material === DATA.presets[each].material) === i);
             for (const option of options) {
                 const before = { ...values() };
                 values()[control.name] = option;

@@ -292,8 +292,8 @@ class Scripts(unittest.TestCase):
             self.assertGreater(len(named), 5)
             self.assertEqual(named - set(ids), set())
         needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', DEMO.read_text())))
-        self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
-        json.loads(re.search(r'(?s) id="materials.json">\n(.*?)</script>', DEMO.read_text())[1])
+        self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl", "hlsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
+        json.loads(re.search(r'(?s) id="presets.json">\n(.*?)</script>', DEMO.read_text())[1])
 
     def test_a_dragged_lobe_has_the_frequency_and_the_angle_of_its_place(self):
         places = [(3, 1), (-2, 2), (0.5, 4), (-5, 0.25)]
@@ -320,15 +320,19 @@ class Scripts(unittest.TestCase):
         shaders, modules = {}, {}
         for what, language, code in copies:
             if language == "Shadertoy":
-                shaders[f"{before}{shadertoy}{code}\nvoid main() {{ mainImage(shown, gl_FragCoord.xy); }}\n"] = what
-            elif language == "GLSL" and (what, "Shadertoy") not in [each[:2] for each in copies]:
-                shaders[f"{before}{code}\nvoid main() {{}}\n"] = what
+                shaders[f"{before}{shadertoy}{code}\nvoid main() {{ mainImage(shown, gl_FragCoord.xy); }}\n"] = f"{what}, Shadertoy.frag"
+            elif language == "GLSL":
+                shaders[before + code] = f"{what}.frag"
+            elif language == "HLSL":
+                shaders[code] = f"{what}.hlsl"
             elif language == "TSL":
                 modules[code] = what
         self.assertGreater(min(len(shaders), 4 * len(modules)), 40)
         for shader, what in shaders.items():
-            (self.folder / f"{what}.frag").write_text(shader)
+            (self.folder / what).write_text(shader)
         self.assert_runs("glslangValidator", *self.folder.glob("*.frag"))
+        for path in self.folder.glob("*.hlsl"):
+            self.assert_runs("glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", "/dev/null", path)
         for code in modules:
             self.assert_parses("module.mjs", code)
 

@@ -151,7 +151,7 @@ class Events(EventsTest):
     def test_an_export_is_not_lost_on_closing(self):
         for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
             self.open(*WINDOW, self.preset("body.json", width=size, height=size, view="sphere", frequency=2))
-            self.keys("ctrl+e", "ctrl+q")
+            self.keys("ctrl+e", "Return", "ctrl+q")
             self.assertTrue(complete or self.state["question"])
             self.keys(answer)
             self.end()
@@ -181,15 +181,17 @@ class Events(EventsTest):
         (self.folder / "mine.json").write_bytes(own) # until another program changes the file
         self.keys("ctrl+s")
         self.assertEqual(self.read("mine.json"), own)
-        self.keys("Escape", "ctrl+e")
-        self.assertIn("mine.exr", self.state["question"])
-        self.assertEqual(self.read("mine.exr"), b"a picture")
         self.keys("Escape", "ctrl+e", "Return")
+        self.assertIn("mine.exr? This session", self.state["question"])
+        self.assertEqual(self.read("mine.exr"), b"a picture")
+        self.keys("Escape", "ctrl+e")
+        self.assertIn("mine.exr, mine.png", self.state["question"]) # what it writes, before it asks whether to replace it
+        self.keys("Return", "Return")
         self.exported()
         first = self.read("mine.exr")
         self.assertGreater(len(first), 64 * 64 * 4)
         self.assertIsNotNone(self.read("mine.png"))
-        self.keys("n", "ctrl+e")
+        self.keys("n", "ctrl+e", "Return")
         self.exported()
         self.assertNotEqual(self.read("mine.exr"), first)
         self.close()
@@ -209,7 +211,7 @@ class Events(EventsTest):
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
         self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s", "Return") # back to before any file was opened
-        self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # the material shown on first start
+        self.assertEqual(json.loads(self.read("desert.json"))["material"], "sand") # the material shown on first start
         self.close()
 
     def test_a_session_that_was_killed_is_offered_again(self):

@@ -1,6 +1,8 @@
 """Tests what the viewer's window shows, does and refuses."""
 
 import json
+import shutil
+import subprocess
 import unittest
 
 import numpy as np
@@ -156,7 +158,7 @@ class Window(EventsTest):
             screenshot turned.png
             keys Escape
             keys t
-            says tileable first
+            says no tiles
             keys p
             set view flat
             set output 1
@@ -194,6 +196,70 @@ class Window(EventsTest):
         burnt = (view.min(axis=2) >= 254).mean()
         print(f"{100 * burnt:.2f} % of the pixels are white")
         self.assertLess(burnt, 0.01)
+
+    def x11(self, program, *arguments):
+        return subprocess.run([program, *map(str, arguments)], env=self.environment(), capture_output=True, text=True, check=True).stdout
+
+    def test_the_window_has_the_same_size_at_each_start_and_fits_the_screen(self):
+        fonts = {}
+        self.addCleanup(self.x11, "xprop", "-root", "-remove", "RESOURCE_MANAGER")
+        for dpi, size in ((192, [1600, 1000]), (120, [1600, 1000]), (96, [1440, 900]), (72, [1080, 675])):
+            self.x11("xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER", f"Xft.dpi: {dpi}")
+            shutil.rmtree(self.folder / "config", ignore_errors=True)
+            for start in range(3):
+                self.open("plain.json")
+                self.frames(2)
+                self.assertEqual(self.state["size"], size, f"start {start} at {dpi} dpi")
+                fonts[dpi] = self.state["font"]
+                self.command("quit")
+                self.end()
+        for dpi, font in fonts.items():
+            self.assertAlmostEqual(font / fonts[96], dpi / 96, delta=0.1, msg=f"{dpi} dpi")
+
+    def test_a_window_that_was_elsewhere_appears_on_the_screen(self):
+        settings = self.folder / "config" / "gabor-noise" / "viewer.json"
+        settings.parent.mkdir(parents=True)
+        settings.write_text(json.dumps({"placement": {"x": 5000, "y": 900, "width": 800, "height": 600, "maximized": False}}))
+        self.open("plain.json")
+        self.frames(2)
+        place = self.x11("xdotool", "getwindowgeometry", "--shell", self.state["window"])
+        place = dict(line.split("=") for line in place.split())
+        self.assertEqual([int(place[name]) for name in ("X", "Y", "WIDTH", "HEIGHT")], [800, 400, 800, 600])
+        self.close()
+
+    def test_settings_that_cannot_be_kept_are_no_secret(self):
+        (self.folder / "config").write_text("no folder")
+        self.open("plain.json")
+        self.wait_for(lambda state: "cannot keep settings" in state["message"])
+        self.assertNotIn("\n", self.state["message"])
+        self.close()
+
+    def test_a_code_that_is_no_colour_is_refused(self):
+        self.preset("steel.json", material="brushed-metal", width=64, height=64)
+        self.open("steel.json", "--window", "860x500")
+        self.frames(3)
+        before = self.state["document"]
+        for typed, says in (("purple", "six hexadecimal digits"), ("12345", "six hexadecimal digits"), ("12ab4f", "")):
+            self.click(600, 135)
+            self.keys("ctrl+a")
+            for letter in typed:
+                self.xdotool("type", letter)
+                self.frames(3) # a press before the last release may be missed
+            self.xdotool("key", "Return")
+            self.frames(4)
+            if says:
+                self.assertIn(says, self.state["message"])
+                self.assertEqual(self.state["document"], before)
+        self.assertNotEqual(self.state["document"], before)
+        self.close()
+
+    def test_the_key_for_tiles_makes_tiles(self):
+        self.preset("steel.json", material="brushed-metal", width=512, height=512)
+        self.open("steel.json", "--window", "860x500")
+        self.keys("t")
+        self.wait_for(lambda state: state["tiles"])
+        self.assertTrue(self.state["document"]["tileable"])
+        self.close()
 
     def test_without_a_display(self):
         self.assert_fails(1, ["no display"], DISPLAY=None, WAYLAND_DISPLAY=None)

@@ -30,7 +30,7 @@ class Workshop(EventsTest):
         if kind == ANIMATION:
             self.click(*self.beside("frames", 0.01)) # the smallest number
             self.assertEqual(self.state["animation"], 2)
-        self.keys("ctrl+e")
+        self.keys("ctrl+e", "Return")
         self.exported()
 
     def test_presets_are_pictures(self):
@@ -139,7 +139,7 @@ class Workshop(EventsTest):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
         self.show_exports()
         self.command("maps 64")
-        self.keys("ctrl+e")
+        self.keys("ctrl+e", "Return")
         self.exported()
         steel = self.read("steel/base_color.png")
         self.pause(6) # the message stays until the next action

@@ -4,10 +4,13 @@
 // globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are
 // for Chromium. The driver's name must contain DRIVER, since browsers may silently choose another driver.
 
-import { readFile, writeFile } from "node:fs/promises";
+import { execFile } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
+import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
 import puppeteer from "puppeteer-core";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
@@ -37,6 +40,19 @@ function deviation(tab, png) {
     }, png.toString("base64"));
 }
 
+// Translates a pixel shader to GLSL ES.
+async function hlslInGlsl(text) {
+    const folder = await mkdtemp(join(tmpdir(), "gabor-")), [source, binary] = ["shader.hlsl", "shader.spv"].map(each => join(folder, each));
+    try {
+        await writeFile(source, text);
+        const run = promisify(execFile), most = { maxBuffer: 1 << 26 };
+        await run("glslangValidator", ["-D", "-V", "-S", "frag", "-e", "main", "--auto-map-bindings", "-o", binary, source], most);
+        return (await run("spirv-cross", ["--version", "300", "--es", "--glsl-emit-ubo-as-plain-uniforms", binary], most)).stdout;
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+}
+
 await new Promise(resolve => server.listen(0, "localhost", resolve));
 
 const browser = await puppeteer.launch({ protocolTimeout: 600000, ...name === "firefox" ? {
@@ -59,6 +75,7 @@ try {
     tab.on("pageerror", error => messages.push(error.message));
     await tab.goto(scripts.length ? `file://${root}${page}` : `http://localhost:${server.address().port}/${page}`);
     if (scripts.length) {
+        await tab.exposeFunction("hlslInGlsl", hlslInGlsl);
         const texts = await Promise.all(scripts.map(script => readFile(join(root, script), "utf8")));
         await tab.addScriptTag({ content: texts.join(""), type: "module" });
     }

@@ -1,14 +1,7 @@
 // Opens every tab of docs/demo/index.html with every option and with sliders and colours off their defaults, runs what it copies
-// in each language, and compares the pixels: Shadertoy's with the tab's, and the function's values in GLSL with those in WGSL and
-// as nodes. Then measures the noise of one tab.
-const SIDE = 64, WIDTH = 160, HEIGHT = 90, TIME = 1.5; // TIME is in seconds
-// Values of each kind of function at p.
-const VALUES = {
-    pattern: "pattern(p)", sea: "sea_in_pixel(4.0 * p, 0.01)",
-    material: "vec3(m.colour.g + m.metalness, m.slope.x + m.slope.y, m.height + m.roughness)",
-    terrain: "vec3(m.height + m.ridge, m.slope)",
-};
-const STEP = 20 / 1024; // of the land's map, on a small screen
+// in each language, and compares the pixels with the page's. Uses the page as people do, and measures the noise of one tab. In the
+// address, only=TAB.TAB.page does less. run.mjs offers hlslInGlsl.
+const WIDTH = 160, HEIGHT = 90, TIME = 1.5; // TIME is in seconds
 
 function open(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, bare: "", ...settings }));
@@ -29,114 +22,116 @@ const pixelsOf = (gl, width, height) => {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return pixels;
 };
-
-// Draws the tab at the size of a small screen.
-async function drawn() {
-    clearTimeout(settle);
-    const message = document.getElementById("compiling");
-    const once = () => {
-        [moving, sharpness, asked] = [false, 1, true];
-        drawTab(1000 * TIME);
-        return pixelsOf(gl, view.width, view.height); // waits, so that draws do not queue up
-    };
-    const known = programs.size, shows = new MutationObserver(() => {});
-    shows.observe(message, { attributeFilter: ["hidden"], attributeOldValue: true });
-    once();
-    if (programs.size > known && !shows.takeRecords().some(({ oldValue }) => oldValue !== null)) // even if it is hidden again by now
-        throw new Error("the page does not say that it compiles");
-    shows.disconnect();
-    for (; !message.hidden; once())
-        await pause(50);
-    return once();
+function flipped(pixels) {
+    const rows = [...Array(HEIGHT).keys()].map(row => pixels.subarray(4 * WIDTH * row, 4 * WIDTH * (row + 1))), made = new Uint8Array(pixels.length);
+    rows.reverse().forEach((row, i) => made.set(row, 4 * WIDTH * i));
+    return made;
 }
 
 function compare(what, made, wanted, tolerance) {
-    const far = made.reduce((sum, value, i) => sum + !(Math.abs(value - wanted[i]) <= tolerance), 0) / wanted.length;
+    let worst = 0, place = 0, far = 0;
+    made.forEach((value, i) => {
+        const apart = Math.abs(value - wanted[i]);
+        far += !(apart <= tolerance) / wanted.length;
+        if (!(apart <= worst))
+            [worst, place] = [apart, i];
+    });
+    const said = `${what}: largest difference ${worst} at column ${(place >> 2) % WIDTH}, row ${Math.floor(place / 4 / WIDTH)}`;
     if (made.length !== wanted.length || !(far < 0.003))
-        throw new Error(`${what}: ${(100 * far).toFixed(2)} % of the values differ: ${made.slice(0, 4)} from ${wanted.slice(0, 4)}`);
-    if (!(Math.max(...wanted) - Math.min(...wanted) > 0.01))
+        throw new Error(`${said}; ${(100 * far).toFixed(2)} % of the values differ`);
+    if (!(Math.max(...wanted.filter((_, i) => i % 4 < 3)) - Math.min(...wanted) > 3))
         throw new Error(`${what}: all values are ${wanted[0]}`);
 }
 
-// ---- Each language's values at points that are 1 / 16 kernel radii apart, or texels of the land's map apart ----
-const place = pixel => kind() === "terrain" ? `${STEP.toFixed(9)} * ${pixel}` : `0.0625 * ${pixel}`;
-const called = type => (VALUES[kind()].includes("m.") ? `${type} m = ${kind()}(p); ` : "") + `return vec4(${VALUES[kind()]}, 1.0);`;
-
-const own = document.createElement("canvas").getContext("webgl2");
-own.getExtension("EXT_color_buffer_float");
+// ---- Each language's picture ----
+const own = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT }).getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
+function programIn(text) {
+    const program = own.createProgram();
+    for (const [type, source] of [[own.VERTEX_SHADER, VERTEX], [own.FRAGMENT_SHADER, text]]) {
+        const shader = own.createShader(type);
+        own.shaderSource(shader, source);
+        own.compileShader(shader);
+        if (!own.getShaderParameter(shader, own.COMPILE_STATUS))
+            throw new Error(`${state.tab}: ${own.getShaderInfoLog(shader)}`);
+        own.attachShader(program, shader);
+    }
+    own.linkProgram(program);
+    own.useProgram(program);
+    return program;
+}
 function inGlsl(text) {
-    const target = own.createTexture(), pixels = new Float32Array(4 * SIDE * SIDE);
-    own.bindTexture(own.TEXTURE_2D, target);
-    own.texStorage2D(own.TEXTURE_2D, 1, own.RGBA32F, SIDE, SIDE);
-    own.bindFramebuffer(own.FRAMEBUFFER, own.createFramebuffer());
-    own.framebufferTexture2D(own.FRAMEBUFFER, own.COLOR_ATTACHMENT0, own.TEXTURE_2D, target, 0);
-    own.bindTexture(own.TEXTURE_2D, painting);
-    draw(own, `${text}
-#define mainImage(color, pixel) color = value_at(pixel)
-vec4 value_at(vec2 pixel) { vec2 p = ${place("pixel")}; ${called(kind() === "material" ? "GaborMaterial" : "GaborTerrain")} }`.replace("uniform float iTime; // seconds\n", ""),
-         SIDE, SIDE, TIME);
-    own.readPixels(0, 0, SIDE, SIDE, own.RGBA, own.FLOAT, pixels);
-    own.bindFramebuffer(own.FRAMEBUFFER, null);
-    return pixels;
+    const program = programIn(text);
+    own.bindTexture(own.TEXTURE_2D, painting_);
+    for (let i = 0; i < own.getProgramParameter(program, own.ACTIVE_UNIFORMS); ++i) {
+        const { name } = own.getActiveUniform(program, i), place = own.getUniformLocation(program, name);
+        if (name.endsWith("resolution"))
+            own.uniform2f(place, WIDTH, HEIGHT);
+        else if (name.endsWith("iTime"))
+            own.uniform1f(place, TIME);
+    }
+    own.viewport(0, 0, WIDTH, HEIGHT);
+    own.drawArrays(own.TRIANGLES, 0, 3);
+    return pixelsOf(own, WIDTH, HEIGHT);
 }
 
 let device = null;
 async function inWgsl(text) {
-    const module = device.createShaderModule({ code: `${text}
+    const module = device.createShaderModule({ code: text }), vertex = device.createShaderModule({ code: `
 @vertex fn cover(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return vec4f(f32(index & 1) * 4.0 - 1.0, f32(index & 2) * 2.0 - 1.0, 0.0, 1.0);
-}
-@fragment fn value_at(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
-    let p = ${place("pixel.xy")};
-    ${called("let")}
 }` });
-    const format = "rgba32float";
+    const format = "rgba8unorm";
     device.pushErrorScope("validation");
-    const pipeline = device.createRenderPipeline({ layout: "auto", vertex: { module }, fragment: { module, targets: [{ format }] } });
-    const failure = await device.popErrorScope();
-    if (failure)
-        throw new Error(`${state.tab}: ${(await module.getCompilationInfo()).messages.map(each => each.message)} ${failure.message}`);
-    const target = device.createTexture({ size: [SIDE, SIDE], format, usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
-    const buffer = device.createBuffer({ size: 16 * SIDE * SIDE, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
+    const pipeline = await device.createRenderPipelineAsync({ layout: "auto", vertex: { module: vertex }, fragment: { module, targets: [{ format }] } })
+        .catch(async failure => { throw new Error(`${state.tab}: ${(await module.getCompilationInfo()).messages.map(each => each.message)} ${failure.message}`); });
+    await device.popErrorScope();
+    const size = [WIDTH, HEIGHT], bytesPerRow = Math.ceil(4 * WIDTH / 256) * 256;
+    const target = device.createTexture({ size, format, usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
+    const buffer = device.createBuffer({ size: bytesPerRow * HEIGHT, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
     const entries = [];
-    if (text.includes("var<uniform> iTime")) {
-        const time = device.createBuffer({ size: 4, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
-        device.queue.writeBuffer(time, 0, Float32Array.of(TIME));
-        entries.push({ buffer: time });
-    } else if (text.includes("var painted")) {
-        const map = device.createTexture({ size: [PAINTED_SIDE, PAINTED_SIDE], format: "rgba8unorm",
+    for (const [name, binding, ...values] of [["resolution", 0, ...size], ["iTime", 1, TIME]])
+        if (text.includes(`var<uniform> ${name}`)) {
+            const uniform = device.createBuffer({ size: 16, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
+            device.queue.writeBuffer(uniform, 0, Float32Array.of(...values));
+            entries.push({ binding, resource: { buffer: uniform } });
+        }
+    if (text.includes("var painted")) {
+        const map = device.createTexture({ size: [PAINTED_SIDE, PAINTED_SIDE], format,
                                            usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST | GPUTextureUsage.RENDER_ATTACHMENT });
         device.queue.copyExternalImageToTexture({ source: saved }, { texture: map }, [PAINTED_SIDE, PAINTED_SIDE]);
-        entries.push(map.createView(), device.createSampler({ minFilter: "linear", magFilter: "linear" }));
+        entries.push({ binding: 2, resource: map.createView() }, { binding: 3, resource: device.createSampler({ minFilter: "linear", magFilter: "linear" }) });
     }
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginRenderPass({ colorAttachments: [{ view: target.createView(), loadOp: "clear", storeOp: "store" }] });
     pass.setPipeline(pipeline);
-    if (entries.length)
-        pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0),
-                                                      entries: entries.map((resource, binding) => ({ binding, resource })) }));
+    pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
     pass.draw(3);
     pass.end();
-    encoder.copyTextureToBuffer({ texture: target }, { buffer, bytesPerRow: 16 * SIDE }, [SIDE, SIDE]);
+    encoder.copyTextureToBuffer({ texture: target }, { buffer, bytesPerRow }, size);
     device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(GPUMapMode.READ);
-    return new Float32Array(buffer.getMappedRange());
+    const padded = new Uint8Array(buffer.getMappedRange()), pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+    for (let row = 0; row < HEIGHT; ++row)
+        pixels.set(padded.subarray(bytesPerRow * row, bytesPerRow * row + 4 * WIDTH), 4 * WIDTH * row);
+    return flipped(pixels);
 }
 
 const three = name => new URL(`../../tests/engines/three/node_modules/three/build/${name}.js`, location.href.split("#")[0]).href;
 let renderer = null;
 async function asNodes(text) {
     const { QuadMesh, NodeMaterial, RenderTarget, FloatType, WebGPURenderer } = await import("three/webgpu");
-    const { screenCoordinate, vec4 } = await import("three/tsl");
+    const { screenCoordinate, vec2, vec4 } = await import("three/tsl");
     const still = text.replace('import { time } from "three/tsl";', `const time = ${TIME};`);
     const { pattern } = await import(URL.createObjectURL(new Blob([still], { type: "text/javascript" })));
     renderer ??= new WebGPURenderer();
     await renderer.init();
-    const quad = new QuadMesh(new NodeMaterial()), target = new RenderTarget(SIDE, SIDE, { type: FloatType, depthBuffer: false });
-    quad.material.fragmentNode = vec4(pattern(screenCoordinate.xy.mul(0.0625)), 1);
+    const { x, y, high } = viewValues(), place = screenCoordinate.xy.sub(vec2(WIDTH / 2, HEIGHT / 2)).mul(high / HEIGHT).add(vec2(x, y));
+    const quad = new QuadMesh(new NodeMaterial()), target = new RenderTarget(WIDTH, HEIGHT, { type: FloatType, depthBuffer: false });
+    quad.material.fragmentNode = vec4(pattern(place), 1);
     renderer.setRenderTarget(target);
     quad.render(renderer);
-    return renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE);
+    const values = await renderer.readRenderTargetPixelsAsync(target, 0, 0, WIDTH, HEIGHT);
+    return flipped(Uint8Array.from(values, value => Math.round(255 * Math.min(Math.max(value, 0), 1))));
 }
 
 // ---- Tabs ----
@@ -145,16 +140,16 @@ async function asNodes(text) {
 const settingsOf = tab => Object.fromEntries(TABS[tab].controls.map(each => [each.name, each.options || each.check ? each.value
     : each.colour ? "#3b7ea1" : +(each.min + 0.37 * (each.max - each.min)).toFixed(each.step < 1 ? 4 : 0)]));
 const OPTIONS = {
-    erosion: [{ octaves: 3 }],
+    erosion: [{ preset: "canyon", octaves: 3, water: -2 }, { cover: "badlands", distance: 2, x: 3, y: -5, water: 0 }],
     sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }],
-    materials: [...new Set(MATERIALS.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset }))
-        .concat({ preset: "oak-planks", boards: true }),
+    materials: [...new Set(DATA.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset }))
+        .concat({ preset: "oak-planks", boards: true, finish: true }),
     noise: [{ look: "plain", taps: 2 }, { look: "relief", taps: 4 }, ...["plain", "relief", "colours", "evolving"].map(look => ({ look }))],
 };
 const optionsOf = tab => OPTIONS[tab] ?? TABS[tab].controls.filter(each => each.options)
     .flatMap(({ name, options }) => options.map(option => ({ [name]: option }))).concat({});
 
-let saved = null, painting = null; // the map of directions as the page saves it
+let saved = null, painting_ = null; // the map of directions as the page saves it
 async function saveMap() {
     const { click } = HTMLAnchorElement.prototype;
     let address = "";
@@ -162,8 +157,8 @@ async function saveMap() {
     document.getElementById("download").click();
     HTMLAnchorElement.prototype.click = click;
     saved = await createImageBitmap(await (await fetch(address)).blob(), { colorSpaceConversion: "none" });
-    painting = own.createTexture();
-    own.bindTexture(own.TEXTURE_2D, painting);
+    painting_ = own.createTexture();
+    own.bindTexture(own.TEXTURE_2D, painting_);
     own.texImage2D(own.TEXTURE_2D, 0, own.RGBA, own.RGBA, own.UNSIGNED_BYTE, saved);
     for (const [name, value] of [["MIN_FILTER", "LINEAR"], ["MAG_FILTER", "LINEAR"], ["WRAP_S", "CLAMP_TO_EDGE"], ["WRAP_T", "CLAMP_TO_EDGE"]])
         own.texParameteri(own.TEXTURE_2D, own[`TEXTURE_${name}`], own[value]);
@@ -188,60 +183,108 @@ async function dropPicture() {
             throw new Error(`the dropped picture gives ${direction(i)}`);
 }
 
+const HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+const RUN = {
+    GLSL: text => inGlsl(HEAD + text),
+    Shadertoy: text => {
+        draw(own, text, WIDTH, HEIGHT, TIME);
+        return pixelsOf(own, WIDTH, HEIGHT);
+    },
+    HLSL: async text => flipped(inGlsl(await hlslInGlsl(text))), // whose first row is the uppermost
+    WGSL: inWgsl,
+    TSL: asNodes,
+};
 async function checkTab(name, settings) {
-    const what = `${name} with ${JSON.stringify(settings)}`;
     open(name, { ...settingsOf(name), x: 0.3, y: -0.2, zoom: 1.3, yaw: 0.8, pitch: 0.2, ...settings });
-    const shown = await drawn(), offered = languages();
-    const glsl = inGlsl(textIn("GLSL"));
-    if (tab().terrain) {
-        const map = new Float32Array(4 * SIDE * SIDE), code = textIn("GLSL").slice(dropIns().length);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, land.frame);
-        gl.readPixels(0, 0, SIDE, SIDE, gl.RGBA, gl.FLOAT, map);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-        for (let i = 0; i < map.length; i += 4)
-            map.set([map[i] + map[i + 3], map[i + 1], map[i + 2], 1], i);
-        compare(`${what}, GLSL`, inGlsl(dropIns() + repeated(code)), map, 2e-3);
-    }
-    const constants = Object.entries(mainValues()).map(constant).join("");
-    const picture = offered.includes("Shadertoy") ? textIn("Shadertoy") : textIn("GLSL") + constants + MAIN[kind()];
-    own.bindTexture(own.TEXTURE_2D, painting);
-    Object.assign(own.canvas, { width: view.width, height: view.height });
-    draw(own, picture, view.width, view.height, TIME);
-    if (!tab().terrain) // whose picture in Shadertoy is a map
-        compare(`${what}, Shadertoy`, pixelsOf(own, view.width, view.height), shown, 4);
-    if (device && offered.includes("WGSL"))
-        compare(`${what}, WGSL`, await inWgsl(textIn("WGSL")), glsl, 2e-3);
-    if (device && offered.includes("TSL"))
-        compare(`${what}, TSL`, await asNodes(textIn("TSL")), glsl, 2e-3);
+    drawWhole(1000 * TIME);
+    const shown = pixelsOf(gl, WIDTH, HEIGHT), text = textIn("GLSL");
+    // Where rows grow downwards, so does dFdy, and materials that take samples in a pixel take their mirror images.
+    const mirrored = text.includes("dFdy(") ? inGlsl(HEAD + text.replaceAll(/dFdy\(\w+\)/g, "(-$&)")) : shown;
+    for (const offered of languages())
+        if (device || offered !== "WGSL" && offered !== "TSL")
+            compare(`${name} with ${JSON.stringify(settings)}, ${offered}`, await RUN[offered](textIn(offered)),
+                    ["HLSL", "WGSL"].includes(offered) ? mirrored : shown, 4);
+}
+
+// Copied views of land are not drawn: they take minutes to compile on SwiftShader, and test_pages.py compiles them. But the page's map is
+// compared with the land that the copied code has where the map does not fade, and its slopes with its heights where it does.
+function checkLand(settings) {
+    open("erosion", { ...settingsOf("erosion"), ...settings });
+    drawWhole(1000 * TIME);
+    const shown = pixelsOf(gl, WIDTH, HEIGHT), { side } = map, texel = MAP_WIDTH / side, what = `erosion with ${JSON.stringify(settings)}`;
+    if (new Set(shown).size < 50)
+        throw new Error(`${what}: the picture has only ${new Set(shown).size} values`);
+    const made = new Float32Array(4 * side * side), wanted = made.slice();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, map.frame);
+    gl.readPixels(0, 0, side, side, gl.RGBA, gl.FLOAT, made);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    programIn(`${HEAD}${textIn("GLSL").replace(/void main\(\)[^]*/, "")}void main()
+{
+    GaborTerrain here = ground_at(land(), vec2(${corner()}) + ${texel} * gl_FragCoord.xy, ${texel});
+    colour = vec4(here.height, here.slope, here.ridge);
+}`);
+    own.getExtension("EXT_color_buffer_float");
+    const texture = own.createTexture(), frame = own.createFramebuffer();
+    own.bindTexture(own.TEXTURE_2D, texture);
+    own.texStorage2D(own.TEXTURE_2D, 1, own.RGBA32F, side, side);
+    own.bindFramebuffer(own.FRAMEBUFFER, frame);
+    own.framebufferTexture2D(own.FRAMEBUFFER, own.COLOR_ATTACHMENT0, own.TEXTURE_2D, texture, 0);
+    own.viewport(0, 0, side, side);
+    own.drawArrays(own.TRIANGLES, 0, 3);
+    own.readPixels(0, 0, side, side, own.RGBA, own.FLOAT, wanted);
+    own.deleteFramebuffer(frame);
+    own.deleteTexture(texture);
+    const exact = Math.floor((MAP_WIDTH - MAP_SEAM) / texel) - 1;
+    const errors = { exact: [0, 0], faded: [0, 0] }; // of slopes: sum and number
+    let worst = 0, place = "";
+    for (let y = 0; y < side; ++y)
+        for (let x = 0; x < side; ++x) {
+            const here = 4 * (side * y + x), beside = [4 * (side * y + (x + 1) % side), 4 * (side * ((y + 1) % side) + x)], faded = x >= exact || y >= exact;
+            for (let i = 0; i < 4 && !faded; ++i)
+                if (!(Math.abs(made[here + i] - wanted[here + i]) <= worst))
+                    [worst, place] = [Math.abs(made[here + i] - wanted[here + i]), `value ${i} of column ${x}, row ${y}`];
+            const error = errors[faded ? "faded" : "exact"];
+            for (const [i, next] of beside.entries())
+                error[0] += Math.abs((made[next] - made[here]) / texel - (made[next + 1 + i] + made[here + 1 + i]) / 2);
+            error[1] += 2;
+        }
+    const [least, most] = [errors.exact, errors.faded].map(([sum, count]) => sum / count);
+    if (!(worst < 0.0001))
+        throw new Error(`${what}: the map differs from the copied land by ${worst} at ${place}`);
+    if (!(most < 1.2 * least))
+        throw new Error(`${what}: slopes of the map differ from its heights' by ${most} on average where it fades, and ${least} elsewhere`);
 }
 
 globalThis.drawn = (async () => {
-    asked = true; // the page itself draws nothing until the end
+    const chosen = new URLSearchParams(location.search).get("only")?.split(".") ?? [...Object.keys(TABS), "page"];
+    await until(() => gl && !drawing && !asked && !moving, "draws its first picture");
+    drawing = true; // the page itself draws nothing until the end
     document.head.append(Object.assign(document.createElement("script"), { type: "importmap", textContent: JSON.stringify({ imports: {
         "three": three("three.webgpu"), "three/webgpu": three("three.webgpu"), "three/tsl": three("three.tsl") } }) }));
     device = await (await navigator.gpu?.requestAdapter())?.requestDevice() ?? null;
     if (!device && navigator.userAgent.includes("Chrome"))
         throw new Error("there is no WebGPU");
-    const size = [innerWidth, innerHeight];
-    const resize = (width, height) => Object.defineProperties(globalThis, {
-        innerWidth: { value: width, configurable: true }, innerHeight: { value: height, configurable: true } });
-    resize(WIDTH, HEIGHT);
+    const resized = (width, height) => Object.assign(view.style, { width, height });
+    resized(`${WIDTH}px`, `${HEIGHT}px`);
+    for (let frame = 0; frame < 3; ++frame) // until the page has seen its new size
+        await new Promise(requestAnimationFrame);
     await dropPicture();
     await saveMap();
-    for (const name of Object.keys(TABS))
-        for (const settings of optionsOf(name))
-            await checkTab(name, settings);
+    for (const name of chosen)
+        for (const settings of TABS[name] ? optionsOf(name) : [])
+            await (TABS[name].land ? checkLand(settings) : checkTab(name, settings));
 
     open("sea", { moving: true });
     if (!textIn("Shadertoy").includes("int(iTime)"))
         throw new Error("sea: copied waves do not move");
-    await usePage(() => pixelsOf(gl, view.width, view.height));
-    resize(...size);
+    if (chosen.includes("page"))
+        await usePage(() => pixelsOf(gl, view.width, view.height));
+    resized("", "");
     open("noise", { look: "plain", frequency: 4, orientation: 45, seed: 7, taps: 3 });
     const text = textIn("Shadertoy") // with the pixels of the reference: p = pixel / 32, y upwards
-        .replace(/vec2 p = vec2\(x, y\).*;/, "vec2 p = pixel / 32.0;");
-    asked = false;
+        .replace(/vec2 p = vec2\(.*;/, "vec2 p = vec2(pixel.x, extent.y - pixel.y) / 32.0;");
+    drawing = false;
     changed();
-    await until(() => !moving && !asked && element("compiling").hidden, "draws at full resolution");
+    await until(() => !moving && !asked && !drawing && view.width === innerWidth, "draws at full resolution");
     return { engine: `live page, ${navigator.userAgent.includes("Firefox") ? "Firefox" : "Chromium"}`, dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();

@@ -31,14 +31,16 @@ function drag(target, [from, ...places], more) {
 
 // What a frame gives to its shaders, if they use it.
 const given = [];
-for (const name of ["uniform1f", "uniform1i", "uniform1ui", "uniform2fv", "uniform3fv", "uniformMatrix3fv"]) {
-    const own = gl[name].bind(gl);
-    gl[name] = (place, ...values) => { given.push([name, ...values.map(String)]); own(place, ...values); };
+function watchUniforms() {
+    for (const name of ["uniform1f", "uniform1i", "uniform1ui", "uniform2fv", "uniform3fv"]) {
+        const own = gl[name].bind(gl);
+        gl[name] = (place, ...values) => { given.push([name, ...values.map(String)]); own(place, ...values); };
+    }
 }
 function frame() {
     given.length = 0;
-    [moving, sharpness, asked] = [false, 1, true];
-    drawTab(1500);
+    moving = false;
+    drawWhole(1500);
     return JSON.stringify(given);
 }
 
@@ -85,9 +87,9 @@ function useControls() {
     }
 }
 
-const depth = () => tab().terrain ? 1 / state.distance : tab().sea ? 1 / values().altitude : state.zoom;
+const depth = () => tab().land ? 1 / state.distance : tab().sea ? 1 / values().altitude : state.zoom;
 function useView() {
-    const flat = !tab().terrain && !tab().sea, painted = { shiftKey: true };
+    const flat = !tab().land && !tab().sea, painted = { shiftKey: true };
     if (tab().lit) { // a ball turns only sideways
         state.x = 0;
         send(view, "keydown", "ArrowLeft");
@@ -99,13 +101,13 @@ function useView() {
     drag(view, [[50, 30], [70, 45], [90, 40]], painted);
     if (JSON.stringify(state) === view_ || !near(place(90, 40), started))
         wrong("what is under the pointer does not follow it");
-    if (tab().terrain) { // its middle moves to the left and away as the pointer moves to the right and down
+    if (tab().land) { // its middle moves to the left and away as the pointer moves to the right and down
         [state.x, state.y] = [0, 0];
         drag(view, [[50, 30], [70, 60]], painted);
-        const [right, back] = [[-Math.sin(state.yaw), Math.cos(state.yaw)], [Math.cos(state.yaw), Math.sin(state.yaw)]]
-            .map(axis => (state.x * axis[0] + state.y * axis[1]) / state.distance);
-        if (!(Math.abs(right * 30 - back * 20) < 1e-9 && right < 0))
-            wrong(`the land moves by ${right} to the right, and ${back} towards the eye`);
+        const step = 1.25 * viewValues().away / view.clientWidth, [right, back] = [[Math.sin(state.yaw), -Math.cos(state.yaw)], [Math.cos(state.yaw), Math.sin(state.yaw)]]
+            .map(axis => (state.x * axis[0] + state.y * axis[1]) / step);
+        if (!near([right, back], [-20, -30], 1e-6))
+            wrong(`the land moves by ${right} pixels to the right, and ${back} towards the eye`);
     }
     const [corner, zoom] = [place(120, 20), depth()];
     send(view, "wheel", -100, 0, { clientX: 120, clientY: 20 });
@@ -122,6 +124,7 @@ function useView() {
     send(view, "pointercancel", 40, 40);
     if (!near([depth() / apart], [2], 1e-6))
         wrong(`two fingers that move apart zoom by ${depth() / apart}`);
+    state.pitch = 0.5; // far from its limits
     for (const [there, back] of [["ArrowLeft", "ArrowRight"], ["ArrowDown", "ArrowUp"], ["+", "-"]]) {
         const before = [state.x, state.y, state.yaw, state.pitch, depth()], now = () => [state.x, state.y, state.yaw, state.pitch, depth()];
         if (send(view, "keydown", there) || near(now(), before) || send(view, "keydown", back) || !near(now(), before, 1e-6))
@@ -158,9 +161,9 @@ async function useAddress() {
 // Addresses whose values are unknown or out of range, and what is opened instead.
 const ADDRESSES = {
     "#tab=noise&frequency=99&seed=-3&look=loud&zoom=1e9&x=word": { frequency: 12, seed: 0, look: "relief", zoom: 50, x: 0 },
-    "#tab=erosion&pitch=9&distance=0&strength=no&gain=0.1": { pitch: 1.5, distance: 0.3, strength: 0.15, gain: 0.2 },
-    "#tab=sea&pitch=-1&moving=false&wind=1&yaw=2&distance=99": { pitch: 0.08, moving: false, wind: 3, yaw: 2, distance: 3 },
-    "#tab=materials&preset=marble&boards=true&marble.veins=99&shape=plane&zoom=0": { preset: "marble", boards: true, "marble.veins": 1.3, shape: "plane", zoom: 0.02 },
+    "#tab=erosion&preset=canyon&pitch=9&distance=0&strength=no&gain=7": { pitch: 1.5, distance: 0.3, strength: 0.12, gain: 1, cover: "desert" },
+    "#tab=sea&pitch=-1&moving=false&wind=1&yaw=2&distance=99": { pitch: 0.05, moving: false, wind: 2, yaw: 2, distance: 3 },
+    "#tab=materials&preset=marble&boards=true&marble.vein_strength=99&shape=plane&zoom=0": { preset: "marble", boards: true, "marble.vein_strength": 1.3, shape: "plane", zoom: 0.02 },
     "#tab=none&seed=8": { tab: "materials", seed: 8 },
 };
 function useAddresses() {
@@ -190,7 +193,7 @@ function usePlane() {
 
 async function usePictures() {
     showTab("stripes", { field: "painted" });
-    const middle = [innerWidth / 2, innerHeight / 2], line = [...Array(17).keys()].map(k => [middle[0] - 40 + 5 * k, middle[1] + 40 - 5 * k]);
+    const middle = [view.clientWidth / 2, view.clientHeight / 2], line = [...Array(17).keys()].map(k => [middle[0] - 40 + 5 * k, middle[1] + 40 - 5 * k]);
     for (let k = 0; k < 12; ++k)
         drag(view, line);
     const under = direction(PAINTED_SIDE * PAINTED_SIDE / 2 + PAINTED_SIDE / 2);
@@ -233,15 +236,42 @@ async function useButtons() {
         wrong("it copies another text");
 }
 
-// Where frames take long, it draws fewer pixels; where the driver loses all, it draws again; and it shows a compiler's errors.
+// Says that it compiles while it does. Draws from coarse to fine in bands, and coarsely what moves; where the driver loses all, draws
+// again; and shows a compiler's errors.
 async function useGraphics(pixels) {
-    panel.hidden = true; // without it, the page draws at once
     showTab("noise", { look: "plain", taps: "3" });
-    frame();
-    [moving, lastFrame, sharpness] = [true, 1000, 1];
-    const seen = [1070, 1140, 1152].map(now => { drawTab(now); return sharpness; });
-    if (!near(seen, [0.5, 0.25, 0.275]))
-        wrong(`slow frames have the sharpness ${seen}`);
+    const whole = (frame(), `${pixels()}`), marks = name => performance.getEntriesByName(name).length;
+    const again = async (cost, moves) => {
+        panel.hidden = false;
+        performance.clearMarks();
+        [program().cost, moving, drawing] = [cost, moves, false];
+        clearTimeout(settle);
+        ask();
+        await until(() => !drawing, "draws");
+        [drawing, panel.hidden] = [true, true];
+        return [marks("picture"), marks("sharp")];
+    };
+    const coarse = await again(1, true);
+    if (`${coarse}` !== "1,0")
+        wrong(`what moves on a slow device is drawn ${coarse} times: ${document.querySelector("pre").textContent.slice(0, 200)}`);
+    const drawn = await again(1, false);
+    if (`${drawn}` !== "3,1" || `${pixels()}` !== whole || !element("state").hidden)
+        wrong(`bands draw ${drawn} pictures, or not what is drawn at once`);
+    const sharp = await again(1e-6, true);
+    if (`${sharp}` !== "0,1")
+        wrong(`what moves on a fast device is drawn ${sharp} times`);
+    const own = gl.getProgramParameter, usual = parallel;
+    let compiles = true;
+    parallel = { COMPLETION_STATUS_KHR: -1 };
+    gl.getProgramParameter = (made, what) => what === -1 ? !compiles : own.call(gl, made, what);
+    showTab("noise", { taps: "2" });
+    const done = again(0, false);
+    await until(() => element("state").textContent === "Compiling…" && !element("state").hidden, "says that it compiles");
+    compiles = false;
+    if ((await done)[1] !== 1 || !element("state").hidden)
+        wrong("it does not draw what it compiled");
+    [gl.getProgramParameter, parallel] = [own, usual];
+    showTab("noise", { look: "plain", taps: "3" });
     frame();
     const before = `${pixels()}`, lost = gl.getExtension("WEBGL_lose_context");
     const event = name => new Promise(resolve => view.addEventListener(`webglcontext${name}`, resolve, { once: true }));
@@ -258,9 +288,10 @@ async function useGraphics(pixels) {
     const { code } = tab();
     tab().code = () => "no GLSL";
     changed();
-    globalThis.draw(2000); // the page's
-    if (!document.querySelector("pre").textContent.includes("ERROR"))
-        wrong("it does not show a compiler's error");
+    [drawing, panel.hidden] = [false, false];
+    ask();
+    await until(() => !drawing && document.querySelector("pre").textContent.includes("ERROR"), "shows a compiler's error");
+    [drawing, panel.hidden] = [true, true];
     tab().code = code;
     changed();
 }
@@ -269,8 +300,7 @@ async function usePage(pixels) {
     view.setPointerCapture = plane.setPointerCapture = () => {}; // a script's events have no pointer to capture
     history.replaceState(null, "", "#tab=erosion&bare");
     readAddress();
-    makeLand(64);
-    land.key = "";
+    watchUniforms();
     for (const name of Object.keys(TABS)) {
         clickTab(name);
         if (state.tab !== name)
