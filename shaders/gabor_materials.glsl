@@ -229,7 +229,7 @@ struct GaborImplPixel {
     vec3 lost_y;
 };
 
-GaborImplPixel gabor_impl_pixel(bool filtered, vec2 p, vec2 dx, vec2 dy, vec2 period) {
+GaborImplPixel gabor_impl_pixel_of(bool filtered, vec2 p, vec2 dx, vec2 dy, vec2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : vec2(0.0);
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
         dx = vec2(1.0e3, 0.0);
@@ -239,7 +239,7 @@ GaborImplPixel gabor_impl_pixel(bool filtered, vec2 p, vec2 dx, vec2 dy, vec2 pe
 }
 
 GaborImplPixel gabor_impl_point(vec2 p, vec2 period) {
-    return gabor_impl_pixel(false, p, vec2(0.0), vec2(0.0), period);
+    return gabor_impl_pixel_of(false, p, vec2(0.0), vec2(0.0), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -1372,7 +1372,7 @@ GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -1382,7 +1382,7 @@ GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 }
 
 GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1395,7 +1395,7 @@ GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
 
 GaborMaterial gabor_carbon_fibre_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1405,7 +1405,7 @@ GaborMaterial gabor_carbon_fibre_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 peri
 }
 
 GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1417,7 +1417,7 @@ GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, G
 }
 
 GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1432,7 +1432,7 @@ GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
 }
 
 GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1445,7 +1445,7 @@ GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 
 GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1456,7 +1456,7 @@ GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 per
 }
 
 GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1465,7 +1465,7 @@ GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period,
 }
 
 GaborMaterial gabor_zebra_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1476,7 +1476,7 @@ GaborMaterial gabor_zebra_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gab
 }
 
 GaborMaterial gabor_bark_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1488,7 +1488,7 @@ GaborMaterial gabor_bark_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 }
 
 GaborMaterial gabor_strata_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)

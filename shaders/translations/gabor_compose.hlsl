@@ -278,7 +278,7 @@ GaborMaterial gabor_finished(GaborMaterial material, float2 p, float2 period, Ga
 
 GaborMaterial gabor_finished_filtered(GaborMaterial material, float2 p, float2 dx, float2 dy, float2 period,
                                       GaborFinish finish, uint seed) {
-    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel at = gabor_impl_pixel_of(true, p, dx, dy, period);
     return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }

@@ -262,7 +262,7 @@ GABOR_INLINE GaborMaterial gabor_finished(GaborMaterial material, gabor_vec2 p, 
 
 GABOR_INLINE GaborMaterial gabor_finished_filtered(GaborMaterial material, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period,
                                       GaborFinish finish, std::uint32_t seed) {
-    GaborImplPixel at = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel at = gabor_impl_pixel_of(true, p, dx, dy, period);
     return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }

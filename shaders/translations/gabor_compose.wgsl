@@ -243,7 +243,7 @@ fn gabor_finished(material: GaborMaterial, p: vec2f, period: vec2f, finish: Gabo
 
 fn gabor_finished_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, finish: GaborFinish,
                            seed: u32) -> GaborMaterial {
-    let at = gabor_impl_pixel(true, p, dx, dy, period);
+    let at = gabor_impl_pixel_of(true, p, dx, dy, period);
     return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
                              gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
 }

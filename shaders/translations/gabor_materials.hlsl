@@ -316,7 +316,7 @@ GaborImplPixel GaborImplPixel_of(float2 position, float2 by_x, float2 by_y, bool
     return made;
 }
 
-GaborImplPixel gabor_impl_pixel(bool filtered, float2 p, float2 dx, float2 dy, float2 period) {
+GaborImplPixel gabor_impl_pixel_of(bool filtered, float2 p, float2 dx, float2 dy, float2 period) {
     p -= period.x > 0.0 ? period * floor(p / period) : (float2)(0.0);
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: nothing is left
         dx = float2(1.0e3, 0.0);
@@ -326,7 +326,7 @@ GaborImplPixel gabor_impl_pixel(bool filtered, float2 p, float2 dx, float2 dy, f
 }
 
 GaborImplPixel gabor_impl_point(float2 p, float2 period) {
-    return gabor_impl_pixel(false, p, (float2)(0.0), (float2)(0.0), period);
+    return gabor_impl_pixel_of(false, p, (float2)(0.0), (float2)(0.0), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -1480,7 +1480,7 @@ GaborMaterial gabor_strata_at(float2 p, float2 period, GaborStrata strata, uint 
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborWood wood, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -1490,7 +1490,7 @@ GaborMaterial gabor_wood_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 }
 
 GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborFabric fabric, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     float2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1503,7 +1503,7 @@ GaborMaterial gabor_fabric_filtered_at(float2 p, float2 dx, float2 dy, float2 pe
 
 GaborMaterial gabor_carbon_fibre_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborCarbonFibre fibres,
                                              uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     float2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1513,7 +1513,7 @@ GaborMaterial gabor_carbon_fibre_filtered_at(float2 p, float2 dx, float2 dy, flo
 }
 
 GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborLeather leather, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1525,7 +1525,7 @@ GaborMaterial gabor_leather_filtered_at(float2 p, float2 dx, float2 dy, float2 p
 }
 
 GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborMarble marble, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1540,7 +1540,7 @@ GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 pe
 }
 
 GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborSand sand, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1553,7 +1553,7 @@ GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 
 GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBrushedMetal metal,
                                               uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1564,7 +1564,7 @@ GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, fl
 }
 
 GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborScratches scratches, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial_of((float3)(1.0), 0.0, (float2)(0.0), 0.0, 0.0, (float3)(0.0));
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1573,7 +1573,7 @@ GaborMaterial gabor_scratches_filtered_at(float2 p, float2 dx, float2 dy, float2
 }
 
 GaborMaterial gabor_zebra_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborZebra zebra, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1584,7 +1584,7 @@ GaborMaterial gabor_zebra_filtered_at(float2 p, float2 dx, float2 dy, float2 per
 }
 
 GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBark bark, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1596,7 +1596,7 @@ GaborMaterial gabor_bark_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 }
 
 GaborMaterial gabor_strata_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborStrata strata, uint seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)

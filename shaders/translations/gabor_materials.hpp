@@ -241,7 +241,7 @@ struct GaborImplPixel {
     gabor_vec3 lost_y;
 };
 
-GABOR_INLINE GaborImplPixel gabor_impl_pixel(bool filtered, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
+GABOR_INLINE GaborImplPixel gabor_impl_pixel_of(bool filtered, gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
     p -= period.x > 0.0f ? period * gabor_cpp_floor(p / period) : gabor_vec2(0.0f);
     if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: nothing is left
         dx = gabor_vec2(1.0e3f, 0.0f);
@@ -251,7 +251,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_pixel(bool filtered, gabor_vec2 p, gabor_
 }
 
 GABOR_INLINE GaborImplPixel gabor_impl_point(gabor_vec2 p, gabor_vec2 period) {
-    return gabor_impl_pixel(false, p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    return gabor_impl_pixel_of(false, p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -1384,7 +1384,7 @@ GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, Gabo
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel board = gabor_impl_board(pixel, wood, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     of.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -1394,7 +1394,7 @@ GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_cloth(pixel, fabric, seed);
     gabor_vec2 count = gabor_impl_threads(pixel, fabric);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1407,7 +1407,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborCarbonFibre fibres,
                                              std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel cloth = gabor_impl_twill(pixel, seed);
     gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1417,7 +1417,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_ve
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_skin(pixel, leather, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 3; ++i)
@@ -1429,7 +1429,7 @@ GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx
 }
 
 GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel stone = gabor_impl_stone(pixel, marble, seed);
     GaborImplPair cloud = gabor_impl_no_pair();
     for (int i = 0; i < 3; ++i)
@@ -1444,7 +1444,7 @@ GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx,
 }
 
 GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel dune = gabor_impl_dune(pixel, seed);
     GaborImplLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1457,7 +1457,7 @@ GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
                                               std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPairs of = gabor_impl_no_pairs();
     int layers = gabor_impl_metal_layers(metal);
     for (int i = 0; i < layers; ++i) {
@@ -1468,7 +1468,7 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_v
 }
 
 GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
     for (int i = 0; i < 14; ++i)
         gabor_impl_add_scratches(sum, scratches, i,
@@ -1477,7 +1477,7 @@ GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 
 }
 
 GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel skin = gabor_impl_hide(pixel, seed);
     float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
@@ -1488,7 +1488,7 @@ GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, 
 }
 
 GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel trunk = gabor_impl_trunk(pixel, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 5; ++i)
@@ -1500,7 +1500,7 @@ GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 }
 
 GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
-    GaborImplPixel pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    GaborImplPixel pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     GaborImplPixel rock = gabor_impl_rock(pixel, strata, seed);
     GaborImplPairs of = gabor_impl_no_pairs();
     for (int i = 0; i < 4; ++i)

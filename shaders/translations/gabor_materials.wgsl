@@ -224,7 +224,7 @@ struct GaborImplPixel {
     lost_y: vec3f,
 }
 
-fn gabor_impl_pixel(filtered: bool, p_in: vec2f, dx_in: vec2f, dy_in: vec2f, period: vec2f) -> GaborImplPixel {
+fn gabor_impl_pixel_of(filtered: bool, p_in: vec2f, dx_in: vec2f, dy_in: vec2f, period: vec2f) -> GaborImplPixel {
     var p = p_in;
     var dx = dx_in;
     var dy = dy_in;
@@ -237,7 +237,7 @@ fn gabor_impl_pixel(filtered: bool, p_in: vec2f, dx_in: vec2f, dy_in: vec2f, per
 }
 
 fn gabor_impl_point(p: vec2f, period: vec2f) -> GaborImplPixel {
-    return gabor_impl_pixel(false, p, vec2f(0.0), vec2f(0.0), period);
+    return gabor_impl_pixel_of(false, p, vec2f(0.0), vec2f(0.0), period);
 }
 
 // A position along the warped x or y axis, with derivatives.
@@ -1387,7 +1387,7 @@ fn gabor_strata_at(p: vec2f, period: vec2f, strata: GaborStrata, seed: u32) -> G
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, wood: GaborWood, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let board = gabor_impl_board(pixel, wood, seed);
     var of_ = gabor_impl_no_pairs();
     of_.pair_0 = gabor_impl_filtered_spots(gabor_impl_wood_layer(0, pixel, board, seed));
@@ -1397,7 +1397,7 @@ fn gabor_wood_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, wood: G
 }
 
 fn gabor_fabric_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let cloth = gabor_impl_cloth(pixel, fabric, seed);
     let count = gabor_impl_threads(pixel, fabric);
     var of_ = gabor_impl_no_pairs();
@@ -1409,7 +1409,7 @@ fn gabor_fabric_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, fabri
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let cloth = gabor_impl_twill(pixel, seed);
     let count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
     var of_ = gabor_impl_no_pairs();
@@ -1419,7 +1419,7 @@ fn gabor_carbon_fibre_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f,
 }
 
 fn gabor_leather_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let skin = gabor_impl_skin(pixel, leather, seed);
     var of_ = gabor_impl_no_pairs();
     for (var i = 0; i < 3; i++) {
@@ -1432,7 +1432,7 @@ fn gabor_leather_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, leat
 }
 
 fn gabor_marble_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let stone = gabor_impl_stone(pixel, marble, seed);
     var cloud = gabor_impl_no_pair();
     for (var i = 0; i < 3; i++) {
@@ -1448,7 +1448,7 @@ fn gabor_marble_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, marbl
 }
 
 fn gabor_sand_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, sand: GaborSand, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let dune = gabor_impl_dune(pixel, seed);
     let ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
     var of_ = gabor_impl_no_pairs();
@@ -1461,7 +1461,7 @@ fn gabor_sand_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, sand: G
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     var of_ = gabor_impl_no_pairs();
     let layers = gabor_impl_metal_layers(metal);
     for (var i = 0; i < layers; i++) {
@@ -1472,7 +1472,7 @@ fn gabor_brushed_metal_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f
 }
 
 fn gabor_scratches_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     var sum = GaborMaterial(vec3f(1.0), 0.0, vec2f(0.0), 0.0, 0.0, vec3f(0.0));
     for (var i = 0; i < 14; i++) {
         gabor_impl_add_scratches(&sum, scratches, i,
@@ -1482,7 +1482,7 @@ fn gabor_scratches_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, sc
 }
 
 fn gabor_zebra_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let skin = gabor_impl_hide(pixel, seed);
     let direction = gabor_impl_stripes_direction(pixel, zebra, seed);
     var of_ = gabor_impl_no_pairs();
@@ -1493,7 +1493,7 @@ fn gabor_zebra_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, zebra:
 }
 
 fn gabor_bark_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, bark: GaborBark, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let trunk = gabor_impl_trunk(pixel, seed);
     var of_ = gabor_impl_no_pairs();
     for (var i = 0; i < 5; i++) {
@@ -1506,7 +1506,7 @@ fn gabor_bark_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, bark: G
 }
 
 fn gabor_strata_filtered_at(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    let pixel = gabor_impl_pixel(true, p, dx, dy, period);
+    let pixel = gabor_impl_pixel_of(true, p, dx, dy, period);
     let rock = gabor_impl_rock(pixel, strata, seed);
     var of_ = gabor_impl_no_pairs();
     for (var i = 0; i < 4; i++) {

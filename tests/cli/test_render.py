@@ -134,7 +134,7 @@ class Like(RenderTest):
         every = [["--gradient", "--tileable", "--evolution=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8"],
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8", "--finish", "--finish.dust-amount=0.3"],
                  ["--fractal=ridged", "--fractal.octaves=3.5", "--fractal.basis=perlin", "--fractal.warp=0.2", "--evolution=0.3"]]
         unlike = set()
         for flags in every:
