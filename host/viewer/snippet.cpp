@@ -287,7 +287,7 @@ std::string material_snippet(const View& view) {
         glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
-    return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials",
+    return includes({"noise", "spectrum", "fractal", "materials",
                      view.request.boards || view.request.finish ? "compose" : ""}) +
            material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +

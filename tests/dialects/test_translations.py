@@ -355,7 +355,7 @@ class Translations(unittest.TestCase):
 
     def compare_cpp(self, before, *options):
         """Compares each call in a C++ program. `before` is the text before its main."""
-        calls = [re.sub(r"(\d\.\d+)", r"\1f", call) for call in CALLS]
+        calls = [re.sub(r"GaborSea\(([^()]*)\)", r"GaborSea{\1}", re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
         drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="p.y *= 4.0f; const gabor_vec3 q(p, 0.3f);", rows=ROWS)
         self.compare(dict(zip(CALLS, drawn.reshape(len(calls), -1))).get)
 
