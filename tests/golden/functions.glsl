@@ -486,14 +486,14 @@ void see_all(int i) {
     SEE(kept(gabor_water(at, 60.0f * fraction, sea, s.seed)))
     SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
     SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
-    SEE(gabor_foam(at, none, none, gabor_water(at, 60.0f * fraction, sea, s.seed), sea, s.seed))
-    SEE(gabor_foam(at, dx, vec2(dx.y, dx.x), gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed), sea, s.seed))
+    SEE(0.2f * gabor_foam(at, none, none, gabor_water(at, 60.0f * fraction, sea, s.seed), sea, s.seed))
+    SEE(0.2f * gabor_foam(at, dx, vec2(dx.y, dx.x), gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed), sea, s.seed))
     SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude + sea.band[GABOR_OCEAN_BANDS].amplitude)
     GaborSea usual = gabor_sea();
     SEE(0.1f * (usual.wind + usual.swell_period) + 1.0e-6f * usual.fetch + usual.swell_direction)
     // Beyond all ranges.
     GaborOcean end = i % 2 == 0 ? gabor_ocean_of(GaborSea(1.0f, 500.0f, 1.0f, 2.0f, 0.5f, 0.0f, 1.3f, 0))
-                                    : gabor_ocean_of(GaborSea(40.0f, 3.0e6f, 2.0f, 40.0f, 0.4f, 20.0f, -2.5f, 0));
+                                    : gabor_ocean_of(GaborSea(40.0f, 3.0e6f, 2.0f, 40.0f, 0.4f, 0.0f, -2.5f, 0));
     SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, none, none, end, s.seed)))
     SEE(0.1f * kept(gabor_water_at(s.cell, s.local, -i, fraction, dx, vec2(dx.y, dx.x), end, s.seed)))
 #endif

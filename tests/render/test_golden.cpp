@@ -107,6 +107,8 @@ double sensitivity(const std::string& call, std::size_t point, bool fused) {
         return 16;
     if (has("filtered") && point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
+    if (has("gabor_foam")) // edges of patches are steep
+        return 20;
     if (has("gabor_er") && point / 4 % 4 == 3) // far from the origin, each octave rounds its position
         return 400;
     if ((has("3d") || has("surface")) && point % 16 == 1) // the highest frequencies
