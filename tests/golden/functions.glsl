@@ -419,8 +419,8 @@ void see_all(int i) {
     SEE(kept(gabor_fractal_noise_3d_filtered(solid, dx, dy, repeats, s.seed)))
     SEE(kept(gabor_warp(far, strength, turns, s.seed)))
     SEE(kept(gabor_warp_filtered(place, s.dx, s.dy, strength, repeats, s.seed)))
-    SEE(kept(gabor_warp_3d(solid, strength, repeats, s.seed)))
-    SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, repeats, s.seed)))
+    SEE(kept(gabor_warp_3d(solid, strength, cubes, s.seed)))
+    SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, cubes, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();
