@@ -478,8 +478,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
     float octaves = clamp(fractal.octaves, 1.0, 16.0), amplitude = 1.0, power = 0.0;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
-    int i = 0; // a do-while loop, because drivers do not unroll a long for loop of one octave
-    do {
+    for (int i = 0; i < count; ++i) {
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -513,7 +512,7 @@ GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtered, float2 dx,
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
-    } while (++i < count);
+    }
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;
     sum.gradient *= scale;
@@ -744,8 +743,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
     float octaves = clamp(fractal.octaves, 1.0, 16.0), amplitude = 1.0, power = 0.0;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(ceil(octaves));
-    int i = 0;
-    do {
+    for (int i = 0; i < count; ++i) {
         float weight = amplitude * min(octaves - float(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -787,7 +785,7 @@ GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool filtered, flo
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
-    } while (++i < count);
+    }
     float scale = rsqrt(max(power, 1.0e-30));
     sum.noise *= scale;
     sum.gradient *= scale;

@@ -447,8 +447,7 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
     float octaves = gabor_cpp_clamp(fractal.octaves, 1.0f, 16.0f), amplitude = 1.0f, power = 0.0f;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(gabor_cpp_ceil(octaves));
-    int i = 0; // a do-while loop, because drivers do not unroll a long for loop of one octave
-    do {
+    for (int i = 0; i < count; ++i) {
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -482,7 +481,7 @@ GABOR_INLINE GaborFractalNoise gabor_impl_fractal(GaborPlace place, bool filtere
         }
         gabor_impl_add_octave(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(octave, place, by, fractal.lacunarity, i + 1);
-    } while (++i < count);
+    }
     float scale = gabor_cpp_inversesqrt(gabor_cpp_max(power, 1.0e-30f));
     sum.noise *= scale;
     sum.gradient *= scale;
@@ -707,8 +706,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
     float octaves = gabor_cpp_clamp(fractal.octaves, 1.0f, 16.0f), amplitude = 1.0f, power = 0.0f;
     bool perlin = fractal.basis == GABOR_PERLIN;
     int count = int(gabor_cpp_ceil(octaves));
-    int i = 0;
-    do {
+    for (int i = 0; i < count; ++i) {
         float weight = amplitude * gabor_cpp_min(octaves - float(i), 1.0f);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -750,7 +748,7 @@ GABOR_INLINE GaborFractalNoise3d gabor_impl_fractal_3d(GaborPlace3d place, bool 
         }
         gabor_impl_add_octave_3d(sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(octave, place, by, fractal.lacunarity, i + 1);
-    } while (++i < count);
+    }
     float scale = gabor_cpp_inversesqrt(gabor_cpp_max(power, 1.0e-30f));
     sum.noise *= scale;
     sum.gradient *= scale;

@@ -440,8 +440,7 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
     let octaves = clamp(fractal.octaves, 1.0, 16.0); var amplitude = 1.0; var power = 0.0;
     let perlin = fractal.basis == GABOR_PERLIN;
     let count = i32(ceil(octaves));
-    var i = 0; // a do-while loop, because drivers do not unroll a long for loop of one octave
-    loop {
+    for (var i = 0; i < count; i++) {
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -475,7 +474,6 @@ fn gabor_impl_fractal(place: GaborPlace, filtered: bool, dx_in: vec2f, dy_in: ve
         }
         gabor_impl_add_octave(&sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave(&octave, place, by, fractal.lacunarity, i + 1);
-        continuing { i++; break if i >= count; }
     }
     let scale = inverseSqrt(max(power, 1.0e-30));
     sum.noise *= scale;
@@ -710,8 +708,7 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
     let octaves = clamp(fractal.octaves, 1.0, 16.0); var amplitude = 1.0; var power = 0.0;
     let perlin = fractal.basis == GABOR_PERLIN;
     let count = i32(ceil(octaves));
-    var i = 0;
-    loop {
+    for (var i = 0; i < count; i++) {
         let weight = amplitude * min(octaves - f32(i), 1.0);
         power += weight * weight;
         amplitude *= fractal.gain;
@@ -753,7 +750,6 @@ fn gabor_impl_fractal_3d(place: GaborPlace3d, filtered: bool, dx_in: vec3f, dy_i
         }
         gabor_impl_add_octave_3d(&sum, octave, fractal.shape, weight, noise, kept, lost);
         gabor_impl_next_octave_3d(&octave, place, by, fractal.lacunarity, i + 1);
-        continuing { i++; break if i >= count; }
     }
     let scale = inverseSqrt(max(power, 1.0e-30));
     sum.noise *= scale;

@@ -390,7 +390,7 @@ void see_all(int i) {
     repeats.lacunarity = float(1 + i % 4);
     repeats.basis = i / 4 % 2 == 0 ? GABOR_SMOOTH : GABOR_PERLIN;
     GaborFractal turns = repeats, cubes = gabor_fractal(drawn(i, 62, 1.0f, 3.0f), drawn(i, 63, 0.3f, 0.9f));
-    turns.lacunarity = floor(drawn(i, 64, 64.0f, 256.0f)) / 64.0f;
+    turns.lacunarity = (floor(drawn(i, 64, 64.0f, 256.0f)) + 0.3f) / 64.0f;
     turns.turn = i % 4 == 0 ? 0.0f : i % 4 == 1 ? 1.5707963f : i % 4 == 2 ? 0.6435011f : -0.9272952f;
     cubes.basis = repeats.basis;
     // At a crease, gradients of billows and ridges depend on the last digit.
@@ -419,8 +419,8 @@ void see_all(int i) {
     SEE(kept(gabor_fractal_noise_3d_filtered(solid, dx, dy, repeats, s.seed)))
     SEE(kept(gabor_warp(far, strength, turns, s.seed)))
     SEE(kept(gabor_warp_filtered(place, s.dx, s.dy, strength, repeats, s.seed)))
-    SEE(kept(gabor_warp_3d(solid, strength, cubes, s.seed)))
-    SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, cubes, s.seed)))
+    SEE(kept(gabor_warp_3d(solid, strength, repeats, s.seed)))
+    SEE(kept(gabor_warp_3d_filtered(solid, dx, dy, strength, repeats, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();

@@ -97,10 +97,6 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
 // functions.cpp.
 double sensitivity(const std::string& call, std::size_t point, bool fused) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    // Open: at a few points a device's octaves differ from the translation's; [fractal] in tests/functions
-    // has their law.
-    if (has("gabor_fractal_noise") || has("gabor_warp"))
-        return 1e9;
     if (fused && (has("gabor_er") || has("gabor_terrain"))) // where stripes vanish, their phase is arbitrary
         return 10000;
     if (fused && point / 4 % 4 == 3)
