@@ -110,7 +110,7 @@ struct Map : Heightmap {
     render::SmoothedMap smoothed;
 };
 
-// Gives gullies their width. In a world, does so by the side, so that the width of the map does not matter.
+// Makes gullies as wide as --gully-width: by gully_frequency or, in a world, by the side, so that all of its maps agree.
 void set_gully_width(const ErodeOptions& options, Map& map, render::Request& request) {
     if (!options.gully_width)
         return;

@@ -7,7 +7,8 @@ GaborTerrain remapped(GaborTerrain hills, vec3 curve) {
     return GaborTerrain(curve.x, curve.y * s, hills.ridge, curvature, hills.ridge_slope);
 }
 
-// Beds of hard rock, whose edges are cliffs and whose tops are benches: x - a sin(2 pi x) / (2 pi) of heights in beds, and once more.
+// Turns slopes into cliffs and benches, as beds of hard rock do: applies x - a sin(2 pi x) / (2 pi) twice to the height
+// x in beds.
 vec3 bedded(float height, float beds) {
     const float a = 0.85;
     vec3 curve = vec3(beds * height, beds, 0.0);
