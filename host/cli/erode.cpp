@@ -110,7 +110,8 @@ struct Map : Heightmap {
     render::SmoothedMap smoothed;
 };
 
-// Makes gullies as wide as --gully-width: by gully_frequency or, in a world, by the side, so that all of its maps agree.
+// Makes gullies as wide as --gully-width: by gully_frequency or, in a world, by the side, so that all of its
+// maps agree.
 void set_gully_width(const ErodeOptions& options, Map& map, render::Request& request) {
     if (!options.gully_width)
         return;
