@@ -1,5 +1,5 @@
-"""Compute shaders that call one function of the drop-ins each, for what only compiles them: tools/isa and
-tests/shaders/test_instructions.py. The calls are in tests/shaders/instructions.txt."""
+"""Makes compute shaders that each call one function of the drop-ins, for tools/isa and
+tests/shaders/test_instructions.py, which only compile them. The calls are in tests/shaders/instructions.txt."""
 
 import pathlib
 import re
@@ -17,7 +17,7 @@ VARIABLES = {"lobes": ("GaborLobes", "lobes.count = 3;\n" + "".join(
 
 
 def table():
-    """Yields the calls with the most instructions that each may have."""
+    """Yields each call and the largest number of instructions that it may have."""
     for line in (ROOT / "tests" / "shaders" / "instructions.txt").read_text().splitlines():
         if not line.startswith("#"):
             most, call = line.split(maxsplit=1)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Derives the fitted constants of the drop-ins. Needs numpy.
 
-    tools/constants.py            # for each fit: its place, the error of the drop-in and of the best fit, the numbers of both
-    tools/constants.py ocean      # only the fits of gabor_ocean.glsl
+    tools/constants.py            # prints each fit's place, and numbers and errors of the drop-in and of the best fit
+    tools/constants.py ocean      # prints only the fits of gabor_ocean.glsl
 
 Errors are those of exact arithmetic; floats add about 1e-7. tests/source/test_constants.py compares the numbers, and checks that
 all other constants of five or more digits are closed forms or choices.
@@ -34,7 +34,7 @@ class Fit:
     excess: float = 0.01  # the drop-in's error is at most this share larger than that of these numbers
 
     def found(self):
-        """The literals of the drop-in that are nearest to the numbers."""
+        """Returns the literals of the drop-in that are nearest to the numbers."""
         text = (SHADERS / self.file).read_text()
         definitions = re.findall(rf"^(?:#define {self.name} .*?$|\w+ {self.name}\(.*?^}})", text, re.MULTILINE | re.DOTALL)
         literals = LITERAL.findall(re.sub("//.*", "", "\n".join(definitions)))
@@ -48,7 +48,8 @@ class Fit:
 
 
 def minimax(basis, target, weight=1.0):
-    """The coefficients of the columns of `basis` with the least maximum of |weight (basis @ c - target)|, by Remez exchange."""
+    """Returns the coefficients c of the columns of `basis` that minimize the maximum of |weight (basis @ c - target)|,
+    by Remez exchange."""
     rows, columns = basis.shape
     weight = np.broadcast_to(weight, rows)
     points = np.round((1 - np.cos(pi * (np.arange(columns + 1) + 0.5) / (columns + 1))) / 2 * (rows - 1)).astype(int)

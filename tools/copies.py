@@ -1,5 +1,5 @@
-"""Other files made from the drop-ins: the page that contains them, and the program's tables of materials and of structs' members.
-tools/translate calls this module."""
+"""Generates other files made from the drop-ins: the page that contains them, and the program's tables of materials and of
+struct members. tools/translate calls this module."""
 
 import base64
 import json
@@ -27,7 +27,7 @@ def needed(path):
 
 
 def required(path):
-    """Returns those of the needed drop-ins without which this one stops the compiler, and those that they require."""
+    """Returns the drop-ins without which this one does not compile, and those that they require."""
     said = "".join(re.findall(r"#error Include (?!.* not both)(.*) before", path.read_text()))
     others = [other for other in needed(path) if re.search(rf"\b{other.name}", said)]
     return list(dict.fromkeys(each for other in others for each in [*required(other), other]))

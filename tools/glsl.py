@@ -1,5 +1,5 @@
-"""Reads the part of GLSL ES 3.00 that the drop-ins use into a syntax tree with types, and edits its text. What is wrong,
-or correct but outside of that part, is refused with its file and line."""
+"""Reads the part of GLSL ES 3.00 that the drop-ins use into a syntax tree with types, and edits its text. Refuses GLSL
+that is wrong or outside that part, with file and line."""
 
 import re
 from collections import ChainMap, namedtuple

@@ -1,6 +1,6 @@
-"""The nodes of Unity's and Unreal's packages, from one table: their HLSL, for Unity's Custom Function nodes and for Unreal's Custom
-nodes. Inputs that MaterialX's nodes have, too, come from the table of tools/nodes.py, and those of materials and erosion from the
-structs of the drop-ins. tools/package and tools/unity.py call this module."""
+"""Generates the nodes of Unity's and Unreal's packages from one table: HLSL for Unity's Custom Function nodes and for
+Unreal's Custom nodes. Inputs shared with MaterialX's nodes come from the table of tools/nodes.py, and inputs of
+materials and erosion from the structs of the drop-ins. tools/package and tools/unity.py call this module."""
 
 import functools
 import math
@@ -39,7 +39,7 @@ class Node(NamedTuple):
 
 
 def described(text, name=None, value=None, about=None):
-    """Returns an input that MaterialX's nodes have: "name type attributes"."""
+    """Returns an input shared with MaterialX's nodes: "name type attributes"."""
     given = dict(re.findall(r'(\w+)="([^"]*)"', text))
     choices = zip(given.get("enumvalues", "").split(", "), given.get("enum", "").split(", "))
     words = about or ": ".join([*filter(None, [given.get("doc"), ", ".join(f"{number} {word}" for number, word in choices if number)])])

@@ -1,4 +1,5 @@
-"""The index of all public functions, docs/functions.md: a line each, with a link to its manual. tools/translate calls this module."""
+"""Generates docs/functions.md, the index of all public functions: one line each, with a link to the manual.
+tools/translate calls this module."""
 
 import re
 

@@ -1,5 +1,5 @@
-"""Generates MaterialX's library: its functions in GLSL, OSL and MDL, with a few of gabor_noise.glsl for languages without structs or
-unsigned integers, and its definitions and graphs. tools/translate and tools/package call this module."""
+"""Generates MaterialX's library: functions in GLSL, OSL and MDL, some of them from gabor_noise.glsl for languages
+without structs or unsigned integers; definitions; and graphs. tools/translate and tools/package call this module."""
 
 import itertools
 import pathlib
@@ -57,7 +57,7 @@ class Osl(Integers):
 
     @property
     def of_node(self):
-        """Whether the file has a node's function, not the library's."""
+        """Tells whether the file has the function of a node, not of the library."""
         return pathlib.PurePath(self.shader.path).parent.name != "lib"
 
     def parameter(self, node):

@@ -1,5 +1,5 @@
-"""Generates the files of Unity's package: HLSL, the sub graphs that Shader Graph shows as nodes, each of which calls a function of
-the HLSL, and their .meta files. tools/package calls this module."""
+"""Generates the files of Unity's package: HLSL; sub graphs that Shader Graph shows as nodes, each of which calls a
+function of the HLSL; and .meta files. tools/package calls this module."""
 
 import hashlib
 import json

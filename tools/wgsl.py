@@ -1,7 +1,8 @@
-"""Prints WGSL from the syntax tree of GLSL, with its names, comments and layout. tools/translate calls this module.
+"""Prints WGSL from the syntax tree of GLSL, with the same names, comments and layout. tools/translate calls this
+module.
 
-WGSL has no preprocessor: conditions are decided here, and macros with values become constants. What a condition assumed
-or refused of these constants becomes a const_assert."""
+WGSL has no preprocessor: conditions are decided here, and macros with values become constants. A const_assert checks
+what a condition assumed about these constants."""
 
 import bisect
 import functools
@@ -38,16 +39,18 @@ OPPOSITES = dict(zip("== != < >= > <=".split(), "!= == >= < <= >".split()))
 # ---- The preprocessor ----------------------------------------------------------------------------------------------
 
 class Branches:
-    """The state of an #if: whether the text around it is kept, one of its branches was kept, and the present one is."""
+    """The state of an #if: whether we keep the text around it, whether we have kept one of its branches, and whether we
+    keep the current one."""
 
     def __init__(self, outer, kept=False):
         self.outer, self.found, self.kept, self.failed = outer, kept, kept, []
 
 
 class Source:
-    """A text after the preprocessor, with a form feed in the place of each line that it removes. It keeps each #define,
-    and has #assert and #refute for what its conditions found true and false. `known` are the macros before it, and
-    `given` those of the user. `editable` are the names of those with a default that no condition uses to choose code."""
+    """A text after the preprocessor, with a form feed in place of each line that it removes. It keeps each #define,
+    and has #assert and #refute for what its conditions found true and false. `known` are the macros defined before the
+    text, and `given` those of the user. `editable` names the macros with a default that no condition uses to choose
+    code."""
 
     def __init__(self, text, path, known, given):
         self.path, self.known, self.given, self.used, self.choosing = path, dict(known), given, set(), set()
