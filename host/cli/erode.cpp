@@ -59,11 +59,11 @@ void multiply(render::Request& request, const char* name, double factor) {
     parameter.place.put(request, factor * std::get<double>(*parameter.get(request)));
 }
 
-// The terrain whose erosion and seed a map gets, before any options.
+// Returns the terrain that gives a map its erosion and seed, before any options.
 render::Request defaults_of(const std::string& preset) {
     render::Request request = render::preset(preset);
     request.seed = 0;
-    // Twice the rms slope of a map: less would dam its valleys.
+    // Twice the rms slope of a map: a smaller onset would dam valleys.
     render::parameter("onset_slope").place.put(request, 2 * render::preset_slope);
     // Maps show more hills than the views that presets are made for.
     multiply(request, "gully_frequency", 1.5);
@@ -87,7 +87,7 @@ double gully_frequency(const render::Request& request) {
     return std::get<double>(*render::parameter("gully_frequency").get(request));
 }
 
-// The place of the map in a world, whose maps agree if they also share their steepness, relief and gullies.
+// Returns the place of the map in a world. Maps of a world agree if they share steepness, relief and gullies.
 std::optional<std::array<int, 2>> world_of(const ErodeOptions& options) {
     if (!options.offset)
         return {};
@@ -110,8 +110,8 @@ struct Map : Heightmap {
     render::SmoothedMap smoothed;
 };
 
-// Makes gullies as wide as --gully-width: by gully_frequency or, in a world, by the side, so that all of its
-// maps agree.
+// Makes gullies as wide as --gully-width: through gully_frequency or, in a world, through the side, so that
+// all maps of the world agree.
 void set_gully_width(const ErodeOptions& options, Map& map, render::Request& request) {
     if (!options.gully_width)
         return;
@@ -131,7 +131,7 @@ void set_gully_width(const ErodeOptions& options, Map& map, render::Request& req
         parameter.place.put(request, frequency);
 }
 
-// Prints what the map's file states, and what is a guess.
+// Prints what the map's file states, and what we guessed.
 void print_scale(const ErodeOptions& options, const Map& map) {
     if (map.has_extent && !map.guessed_heights && map.unit.empty() && map.remark.empty())
         return;
@@ -144,7 +144,7 @@ void print_scale(const ErodeOptions& options, const Map& map) {
                map.remark.empty() ? "" : "; " + map.remark);
 }
 
-// Opens and smooths the map. Prints what it has to guess.
+// Opens and smooths the map. Prints guesses.
 Map map_of(const ErodeOptions& options, render::Request& request) {
     Map map(open_heightmap(options.map));
     map.world = world_of(options);
@@ -164,7 +164,7 @@ Map map_of(const ErodeOptions& options, render::Request& request) {
     return map;
 }
 
-// Lets the map count as part of a world with this steepness and these heights.
+// Treats the map as part of a world with this steepness and these heights.
 void set_world(const ErodeOptions& options, render::SmoothedMap& smoothed) {
     if (options.steepness)
         smoothed.slope = parse_positive("--steepness", *options.steepness, "an rms slope above 0");
@@ -303,11 +303,10 @@ void add_erode_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
     add_heightmap(*command, options->map);
     begin_group(*command, "Output");
-    add_option(
-        *command, "-o,--output", options->output, "FILE",
-        "EXR with the height in channel Y, slope, ridge and erosion; or the height alone: floats in a "
-        "TIFF, with the place of a GeoTIFF, or in .r32; 16 bits in a PNG, .r16 or .raw. All but EXR and "
-        "TIFF have their scale in a .json file beside them")
+    add_option(*command, "-o,--output", options->output, "FILE",
+               "Output: an EXR with height (channel Y), slope, ridge and erosion; or height alone, as floats "
+               "in a TIFF (with the place of a GeoTIFF) or .r32, or as 16 bits in a PNG, .r16 or .raw. "
+               "Beside the last four, a .json file gives the scale")
         ->required();
     command->add_flag("--only-height", options->only_height,
                       "Write an EXR with channel Y alone, which every program shows");
@@ -323,21 +322,20 @@ void add_erode_command(CLI::App& app) {
     add_device_option(*command, options->device);
     add_heightmap_options(*command, options->map);
     begin_group(*command, "World");
-    add_option(
-        *command, "--offset", options->offset, "X,Y",
-        "Place of the map's first pixel in a world, in pixels: overlapping maps then agree, but for a "
-        "margin of two thirds of a gully's width. It requires the next two options and --gully-width, the "
-        "same for each map");
+    add_option(*command, "--offset", options->offset, "X,Y",
+               "Place of the map's first pixel in a world, in pixels. Overlapping maps then agree, except in "
+               "a margin two thirds of a gully wide. Requires the next two options and --gully-width, all "
+               "equal for each map");
     add_option(*command, "--steepness", options->steepness, "NUMBER",
-               "The world's rms slope; without it, the map's, which is slope in the header of the EXR");
+               "The world's rms slope; by default, the map's, which the header of the EXR gives as slope");
     add_option(*command, "--relief", options->relief, "LOW,HIGH",
-               "The world's lowest and highest height; without it, the map's");
+               "The world's lowest and highest height; by default, the map's");
     begin_group(*command, "Erosion");
     add_option(*command, "--gully-width", options->gully_width, "NUMBER",
-               "Width of the widest gullies, in the unit of --extent, in place of --gully-frequency");
+               "Width of the widest gullies, in the unit of --extent; replaces --gully-frequency");
     add_option(*command, "--preset", options->preset, "NAME",
-               fmt::format("Shape of the gullies, with the defaults of all options below, but without "
-                           "--strength, heights change by at most an eighth of their range: {} [{}]",
+               fmt::format("Shape of the gullies, which sets the defaults of the options below. Unless "
+                           "--strength is given, heights change by at most an eighth of their range: {} [{}]",
                            fmt::join(terrain_presets(), ", "), options->preset));
     const render::Request defaults = defaults_of(options->preset);
     for (const render::Parameter& p : render::parameters())

@@ -17,7 +17,7 @@ constexpr int most_side = 16384;
 constexpr render::Elevation typical_elevation{0, 1000};
 constexpr std::array<std::string_view, 2> byte_orders{"little", "big"}, encodings{"terrain-rgb", "terrarium"};
 
-// Returns whether the name is the second of two.
+// Returns whether `name` is the second of the names; throws RequestError if it is neither.
 bool is_second(std::string_view option, std::string_view name, const std::array<std::string_view, 2>& names) {
     const std::string_view found = in_any_case(name, names);
     if (std::ranges::find(names, found) == names.end())
@@ -74,7 +74,7 @@ std::array<double, 2> parse_extent(std::string_view text) {
     return both;
 }
 
-// Finds the sides of a pixel: as the options say, or the file, or the JSON file beside it.
+// Finds the sides of a pixel from the options, the file, or the JSON file beside it.
 void set_pixel(Heightmap& map, const HeightmapOptions& options,
                const std::optional<render::MapScale>& beside) {
     const std::array<double, 2> given = options.extent ? parse_extent(*options.extent) : std::array{0.0, 0.0};
@@ -105,10 +105,9 @@ void set_pixel(Heightmap& map, const HeightmapOptions& options,
 } // namespace
 
 void add_heightmap(CLI::App& command, HeightmapOptions& options) {
-    add_option(
-        command, "MAP", options.path, "FILE",
-        "EXR, TIFF, .hgt, .asc or .npy with heights, 16-bit PNG; or, with --size, 16-bit integers or floats "
-        "without a header")
+    add_option(command, "MAP", options.path, "FILE",
+               "The heightmap: EXR, TIFF, .hgt, .asc, .npy or 16-bit PNG; with --size, also 16-bit integers "
+               "or floats without a header")
         ->required();
 }
 
@@ -116,22 +115,22 @@ void add_heightmap_options(CLI::App& command, HeightmapOptions& options) {
     begin_group(command, "Map");
     add_option(command, "--size", options.size, "WIDTHxHEIGHT",
                "Size of a file without a header, such as .r16, .raw or .r32");
-    add_option(
-        command, "--byte-order", options.byte_order, "NAME",
-        fmt::format("Of a file without a header: {}; without it, that in which neighbouring heights differ "
-                    "less",
-                    fmt::join(byte_orders, " or ")));
+    add_option(command, "--byte-order", options.byte_order, "NAME",
+               fmt::format("Byte order of a file without a header: {}; by default, the one in which "
+                           "neighbouring heights differ less",
+                           fmt::join(byte_orders, " or ")));
     add_option(command, "--encoding", options.encoding, "NAME",
-               fmt::format("Heights are in red, green and blue: {}", fmt::join(encodings, " or ")));
+               fmt::format("How red, green and blue encode heights: {}", fmt::join(encodings, " or ")));
     add_option(
         command, "--extent", options.extent, "WIDTH[,HEIGHT]",
-        "Size of the map, in the same unit as its heights; without it, that of a GeoTIFF, .hgt or .asc, or "
-        "of the .json file beside a map that gabor wrote, or a guess from the slopes, which is printed. "
-        "Without HEIGHT, pixels keep the proportions that the file states, or are square");
+        "Size of the map, in the unit of the heights. By default, a GeoTIFF, .hgt or .asc states it, or the "
+        ".json file beside a map that gabor wrote; otherwise gabor guesses it from the slopes, and prints "
+        "the guess. Without HEIGHT, pixels keep the proportions that the file states, or are square");
     add_elevation_option(command, options.elevation, "0 to extent/8 if --extent is given, else 0,1000");
     add_option(command, "--nodata", options.nodata, "NUMBER",
-               "Value of pixels that have no height; without it, the one that the file states");
-    command.add_flag("--tileable", options.tileable, "The map tiles without seams, and so does the output");
+               "Value of pixels that have no height; by default, the one that the file states");
+    command.add_flag("--tileable", options.tileable,
+                     "Treat the map as a tile, so that the output tiles without seams");
 }
 
 Heightmap open_heightmap(const HeightmapOptions& options) {

@@ -25,7 +25,7 @@ struct HeightmapOptions {
     bool tileable = false;
 };
 
-/// Add the argument, and the group of options.
+/// Add the argument for the map, and the group of options.
 void add_heightmap(CLI::App& command, HeightmapOptions& options);
 void add_heightmap_options(CLI::App& command, HeightmapOptions& options);
 
@@ -44,7 +44,7 @@ struct Heightmap : render::HeightMap {
     }
 };
 
-/// Opens a map. Prints the byte order, if it has to find it.
+/// Opens a map. Prints the byte order, if no option states it.
 Heightmap open_heightmap(const HeightmapOptions& options);
 
 } // namespace gabor::cli

@@ -25,7 +25,7 @@ struct MapsOptions : RequestOptions {
 };
 
 // Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain. Maps tile and have
-// sides of map_side, unless options or a file to reproduce say otherwise.
+// sides of map_side, unless options or the file of --like say otherwise.
 render::Request request_of(const MapsOptions& options) {
     const Asked asked = asked_by(options);
     render::check(asked.request);
@@ -67,7 +67,7 @@ void render_maps(const MapsOptions& options) {
                subject(request), device.info().name);
 }
 
-// Whether a parameter changes maps, which have neither light nor more than one view of a kind.
+// Tells whether a parameter changes maps, which have no light and one view of each kind.
 bool changes_maps(const render::Parameter& p) {
     const render::Request material{.kind = render::Kind::material}, terrain{.kind = render::Kind::terrain};
     return p.name != "filter" && p.name != "fractal" && (p.scope.holds(material) || p.scope.holds(terrain));
@@ -91,21 +91,20 @@ terrain's erosion.
     add_option(
         *command, "-o,--output", options->output, "FOLDER",
         "Folder of the maps: PNGs of base colour, normals, height, roughness, metalness and occlusion, "
-        "one EXR with all of them, and material.mtlx, material.gltf and material.json. They tile, "
-        "unless --no-tileable or --like says otherwise")
+        "one EXR with all of them, and material.mtlx, material.gltf and material.json. The maps tile, unless "
+        "--no-tileable or --like says otherwise")
         ->required();
     add_source_options(*command, *options, render::most_map_side, fmt::format("{0}x{0}", render::map_side));
     add_option(*command, "--width-metres", options->metres, "NUMBER",
-               "Width of the maps, to scale the heights too; otherwise a terrain's extent, or 1");
+               "Width of the maps, which also scales the heights; by default, the extent of a terrain, or 1");
     command->add_flag("--directx", options->directx, "Also write normals for DirectX");
     add_option(*command, "--normal-bits", options->normal_bits, "BITS",
-               "8 dithers normals to 8 bits, for programs that do not read all 16 [16]");
+               "Bits of the normals: 16, or 8 with dithering, for programs that do not read 16 [16]");
     command->add_flag("--texture", options->texture,
                       "For a material: write maps.exr as a tiled, mip-mapped texture, with more roughness "
-                      "where its normals "
-                      "are averaged; both sides must be powers of two");
+                      "where averaging flattens normals; both sides must be powers of two");
     command->add_flag("--float", options->floats,
-                      "Store 32-bit floats in maps.exr; otherwise only heights, in metres, have 32 bits");
+                      "Store all channels of maps.exr as 32-bit floats, not only heights in metres");
     add_compression_option(*command, options->compression);
     add_device_option(*command, options->device);
     using Group = render::Parameter::Group;

@@ -58,9 +58,9 @@ void add_elevation_option(CLI::App& command, std::optional<std::string>& elevati
 }
 
 void add_full_range_option(CLI::App& command, bool& full_range) {
-    command.add_flag(
-        "--full-range", full_range,
-        "Stretch 16-bit heights, so that the lowest is 0 and the highest 65535; regions then differ");
+    command.add_flag("--full-range", full_range,
+                     "Stretch 16-bit heights, so that the lowest is 0 and the highest 65535; the scale then "
+                     "differs between regions");
 }
 
 void check_height_options(const std::filesystem::path& path, bool full_range, std::string_view compression,

@@ -30,7 +30,7 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value
 /// Starts a group of options in the help text; an empty name hides them.
 void begin_group(CLI::App& command, const std::string& name);
 
-/// Adds an option for a range of heights; `help` says what 0 and 65535 stand for without it.
+/// Adds an option for a range of heights; `help` says what 0 and 65535 stand for by default.
 void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help);
 
 /// Adds the option that stretches 16-bit heights.
@@ -46,8 +46,8 @@ render::Elevation parse_elevation(std::string_view text);
 /// Parameters from render::parameters(), each with its command-line option.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
 
-/// Adds the option of a parameter. The help text has its value in `defaults`, if it has one there, or its
-/// defaults in other requests.
+/// Adds the option of a parameter. The help text shows the parameter's value in `defaults`, if that has one,
+/// or its defaults in other requests.
 void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
                    const render::Request& defaults);
 
@@ -98,8 +98,8 @@ std::string check_extension(std::string_view option, const std::filesystem::path
 /// Reads X,Y,WIDTH,HEIGHT.
 image::Rect parse_region(std::string_view text);
 
-/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the
-/// region `whose` and the picture `whole`.
+/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the region
+/// `whose` and the picture `whole`.
 void check_within(const image::Rect& region, int width, int height, std::string_view whose,
                   std::string_view whole);
 

@@ -37,8 +37,8 @@ int fail(const Program& program, int status, std::string message) {
     return status;
 }
 
-// Shows each option once, with its type as we name it, wraps the lines of its description, and leaves one
-// line between groups.
+// Shows each option once, with our name for its type and the description wrapped, and leaves one line between
+// groups.
 class Formatter : public CLI::Formatter {
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
         std::string text = CLI::Formatter::make_help(app, name, mode);
@@ -73,7 +73,7 @@ class Formatter : public CLI::Formatter {
     }
 };
 
-// Suggests options or subcommands that are similar to an unknown word; empty if none is similar enough.
+// Suggests options or subcommands that are similar to an unknown word; returns "" if none is.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -90,7 +90,7 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
     return did_you_mean(word.substr(start, word.find('=') - start), names, start > 0 ? "--" : "");
 }
 
-// Names the command that lists what is accepted instead of an unknown word, or in general.
+// Names the command that lists what is accepted, in general or instead of an unknown word.
 std::string where_to_look(const CLI::App& app, const std::string& word = "") {
     if (const std::size_t dot = word.find('.'); word.starts_with("--") && dot != word.npos)
         return fmt::format("{} materials {} lists what is accepted", app.get_name(), word.substr(2, dot - 2));
@@ -102,13 +102,13 @@ std::string where_to_look(const CLI::App& app, const std::string& word = "") {
 int parse_and_work(const Program& program, int argc, const char* const* argv) {
     CLI::App app(program.description, program.name);
     app.allow_windows_style_options(false); // /name is a path
-    app.footer(program.examples);
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // reject --gradient=3
     app.require_subcommand(0, 1); // with (1, 1), CLI11's message would not name the unknown word
     for (const auto& add : program.commands)
         add(app);
+    app.footer(program.examples); // last: commands inherit what is there when they are added
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
@@ -163,8 +163,8 @@ void add_compression_option(CLI::App& command, std::string& compression) {
                     throw RequestError(
                         fmt::format("--compression '{}': {}", name, expected(name, image::exr_compressions)));
             },
-            fmt::format("Lossless compression of the EXR, which helps where much of the picture is equal, "
-                        "such as sky, and hardly with noise: {} [{}]",
+            fmt::format("Lossless compression of the EXR. It helps where large parts of the picture are "
+                        "equal, such as sky, but hardly with noise: {} [{}]",
                         accepted, compression))
         ->type_name("NAME");
 }

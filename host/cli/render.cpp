@@ -158,7 +158,7 @@ Examples:
   gabor render --view terrain --preset canyon --png canyon.png --write-heightmap canyon.r16
 
 `gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
-terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in --no-tileable.
+terrain's erosion. --no-FLAG turns off a flag of the noise or the view, as in --no-tileable.
 )");
     const auto option = [&](const std::string& name, auto& value, const std::string& type,
                             const std::string& help) { add_option(*command, name, value, type, help); };
@@ -183,8 +183,7 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("Terrain", render::Parameter::Group::terrain);
     option("--write-heightmap", options->heightmap, "FILE",
            "Also write the heights to this file: 16 bits in a PNG, .r16 or .raw, floats in an EXR, TIFF or "
-           ".r32, "
-           "with their scale in a .json file beside all but a TIFF (for the terrain view)");
+           ".r32; beside all but a TIFF, a .json file gives the scale (for the terrain view)");
     add_elevation_option(*command, options->elevation, "the full possible range");
     add_full_range_option(*command, options->full_range);
     parameters("Ocean", render::Parameter::Group::sea);

@@ -83,11 +83,9 @@ void add_group(CLI::App& command, RequestOptions& options, const std::string& ti
 void add_frames_option(CLI::App& command, std::optional<std::string>& frames) {
     add_option(
         command, "--frames", frames, "NUMBER",
-        fmt::format(
-            "Render one period of the animation, or one loop of a sea, in this many frames, from 1 to {}; "
-            "those of an endless sea are 1/25 s apart: "
-            "NAME.0001.exr, NAME.0002.exr ... [1]",
-            render::most_frames));
+        fmt::format("Render one period of the animation, or one loop of a sea, in this many frames, from 1 "
+                    "to {}: NAME.0001.exr, NAME.0002.exr ... Frames of an endless sea are 1/25 s apart [1]",
+                    render::most_frames));
 }
 
 int frames_of(const std::optional<std::string>& frames) {

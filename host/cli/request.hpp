@@ -16,8 +16,8 @@ struct RequestOptions {
     ParameterOptions parameters; ///< all but width and height, which are in `size`
 };
 
-/// Adds --size, whose help says that sides have at most `most` pixels, and that the default is `size`;
-/// --preset and --like.
+/// Adds --preset, --like, and --size, whose help says that sides have at most `most` pixels and that the
+/// default is `size`.
 void add_source_options(CLI::App& command, RequestOptions& options, double most, std::string_view size);
 void add_region_option(CLI::App& command, RequestOptions& options);
 
@@ -37,11 +37,12 @@ struct Asked {
     bool scaled = false;                    ///< whether an option, a preset or another file sets the scale
     int side = 0;                           ///< shorter side of the picture, before options change it
 
-    /// The region of --region or --like, or the whole picture. Throws RequestError unless it is within.
+    /// The region of --region or --like, or the whole picture. Throws RequestError unless the region lies
+    /// within the picture.
     image::Rect region(const RequestOptions& options) const;
 };
 
-/// Reads the options. Terrain shows two hills unless a scale is given. The request still needs a check.
+/// Reads the options. Unless a scale is given, terrain spans two hills. Does not check the request.
 Asked asked_by(const RequestOptions& options);
 
 /// What is drawn, as in "material wood".

@@ -78,7 +78,7 @@ std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& of
     return outside;
 }
 
-// The theoretical variance of a channel, according to the parameters in the file's header.
+// Returns the theoretical variance of a channel for the parameters in the file's header.
 std::optional<double> known_variance(const std::string& channel, const std::string& parameters) {
     try {
         return render::known_variance(render::from_json(parameters), channel);
@@ -87,7 +87,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// Measures a channel. Unless theory says that its mean is 0, first reads the whole channel for its mean.
+// Measures a channel. Unless theory says that the mean is 0, first reads the whole channel to find the mean.
 Measured measure(const StatsOptions& options) {
     const std::string channel = options.channel
                                     ? *options.channel

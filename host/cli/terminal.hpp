@@ -8,7 +8,7 @@
 
 namespace gabor::cli {
 
-/// Thrown by Progress::advance and `check_interrupt` after a request to end, such as Ctrl-C.
+/// Progress::advance and `check_interrupt` throw this after a request to end, such as Ctrl-C.
 struct Interrupted {
     int by; ///< as from system::interrupt
 };

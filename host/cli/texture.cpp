@@ -57,7 +57,7 @@ void render_textures(const TextureOptions& options) {
     }
 }
 
-// Whether a parameter changes a filtered picture of a plane.
+// Tells whether a parameter changes a filtered picture of a plane.
 bool changes_textures(const render::Parameter& p) {
     const render::Request noise, fractal{.kind = render::Kind::fractal},
         material{.kind = render::Kind::material};
@@ -78,7 +78,7 @@ Example:
 )");
     begin_group(*command, "Output");
     add_option(*command, "-o,--output", options->output, "FILE",
-               "Output: NAME.exr, in tiles, as renderers read it; both sides must be powers of two")
+               "Output: NAME.exr, in tiles, as renderers expect; both sides must be powers of two")
         ->required();
     add_source_options(*command, *options, render::parameter("width").range.high, "1024x1024");
     add_region_option(*command, *options);
@@ -95,7 +95,8 @@ Example:
                                        {"", Group::boards},
                                        {"", Group::finish}})
         add_group(*command, *options, title, group, *title ? changes_textures : nullptr);
-    command->get_option("--view")->description("Only flat, to override that of --preset or --like [flat]");
+    command->get_option("--view")->description(
+        "Only flat, which overrides the view of --preset or --like [flat]");
     command->callback([options] { render_textures(*options); });
 }
 

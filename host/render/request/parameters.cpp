@@ -284,7 +284,7 @@ std::vector<Parameter> noise_rows() {
             "finish` lists the options of finishes",
             in_request(&Request::finish)),
         row("scale", Type::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
-            "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
+            "Scale of the noise. By default, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
             in_request(&Request::scale)),
         row("recipe", Type::choice, "", none, none, scopes::planar,
@@ -301,7 +301,7 @@ std::vector<Parameter> noise_rows() {
         row("seed", Type::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
         row("evolution", Type::number, "turns", {-1e9, 1e9}, {0, 1}, scopes::valued,
-            "Evolution of the noise in place, which repeats after 1", in_request(&Request::evolution)),
+            "How far the noise has evolved in place; it repeats after 1", in_request(&Request::evolution)),
         row("paint", Type::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
@@ -320,7 +320,7 @@ std::vector<Parameter> fractal_rows() {
     const auto in_fractal = [](auto Fractal::*member) { return in_part(&Request::fractal, member); };
     return {
         row("fractal", Type::choice, "", none, none, scopes::all,
-            "Draw a sum of octaves instead of waves, on planes: fBm, or billows, or ridges",
+            "Draw a sum of octaves instead of waves, on planes: fBm, billows or ridges",
             by_name(
                 [](const Request& r) { return fractal_shapes.at(static_cast<std::size_t>(r.fractal.shape)); },
                 put_fractal),
@@ -388,7 +388,8 @@ std::vector<Parameter> light_rows() {
         row("light_elevation", Type::angle, "degrees", {0, 90}, {0, 90}, scopes::lit,
             "Angle of the light above the surface", in_request(&Request::light_elevation)),
         row("environment", Type::choice, "", none, none, scopes::material,
-            "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
+            "Surroundings that light a material, besides the lamp: a room with a window, an overcast sky, or "
+            "nothing",
             by_index(
                 [](auto& r) -> auto& { return r.environment; }, environments),
             {environments.begin(), environments.end()}),
@@ -396,20 +397,18 @@ std::vector<Parameter> light_rows() {
 }
 
 std::vector<Parameter> terrain_rows() {
-    return {
-        row("extent", Type::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
-            "Width of the picture, in the unit that heights shall have, usually metres; 0 gives heights in "
-            "kernel "
-            "radii",
-            in_request(&Request::extent)),
-        row("cover", Type::choice, "", none, none, scopes::terrain,
-            "What covers the ground: grass, scree and snow, grass alone, sand below layered cliffs, or clay",
-            by_index(
-                [](auto& r) -> auto& { return r.cover; }, covers),
-            {covers.begin(), covers.end()}),
-        row("water_level", Type::number, "", {-hill_reach, hill_reach}, {-hill_reach, 1}, scopes::terrain,
-            "Level of the water of lakes in kernel radii; the least is below all ground",
-            in_request(&Request::water_level))};
+    return {row("extent", Type::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
+                "Width of the picture, in the unit of the heights, usually metres; 0 gives heights in kernel "
+                "radii",
+                in_request(&Request::extent)),
+            row("cover", Type::choice, "", none, none, scopes::terrain,
+                "Cover of the ground: grass, scree and snow; grass alone; sand below layered cliffs; or clay",
+                by_index(
+                    [](auto& r) -> auto& { return r.cover; }, covers),
+                {covers.begin(), covers.end()}),
+            row("water_level", Type::number, "", {-hill_reach, hill_reach}, {-hill_reach, 1}, scopes::terrain,
+                "Water level of lakes, in kernel radii; the lowest level is below all ground",
+                in_request(&Request::water_level))};
 }
 
 // Sea::loop_seconds is 0 or a power of 2 from 8.
@@ -431,7 +430,7 @@ Place seconds_of_loop() {
 std::vector<Parameter> sea_rows() {
     return {row("loop_seconds", Type::choice, "seconds", none, none, scopes::sea,
                 "Time after which the sea repeats exactly, for films: several periods of the swell. "
-                "Periods become integer fractions of the loop, and groups of waves stand still",
+                "Wave periods become integer fractions of the loop, and groups of waves stand still",
                 seconds_of_loop(), {loops.begin(), loops.end()}),
             row("seconds", Type::number, "seconds", {-1e9, 1e9}, {0, 600}, scopes::sea, "Time",
                 in_part(&Request::sea, &Sea::seconds)),
