@@ -2,8 +2,8 @@
 # FastNoise Lite's npm package cannot warp: DomainWrap(point) leaves every point as it is, without an error, because it
 # accepts only Vector2 and Vector3, two classes that the package does not export.
 # Versions: fastnoise-lite 1.1.1 (npm); Node.js 18 or newer.
-# Surprise: warp types, amplitude and fractal warps are accepted, and the call returns as if it had worked. A point with
-# x and y, which is what the class would hold, is passed over in silence.
+# Surprise: warp types, amplitude and fractal warps are accepted, and the call returns as if it had worked. The call
+# silently ignores a point with x and y, although the classes hold nothing else.
 # Who is hit: terrain and textures with domain warping in JavaScript: the picture is the plain noise, and differs from
 # the Rust port's with the same settings.
 set -eu

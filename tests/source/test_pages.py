@@ -191,7 +191,7 @@ COSTS = [
     (P, "On lavapipe `gabor_water` takes (N), (N) and (N) times as long",
      "ms('gabor_water') / ms(''), ms('gabor_water_filtered') / ms(''), ms('gabor_water, height alone') / ms('')", 0.03),
     (P, "takes 5320 cycles. The height alone takes 3310, which is (N) % of the cycles", "331000 / cycles('splats')", 0.02),
-    (P, "erosion with two taps (N) less; on lavapipe ours costs (N)",
+    (P, "erosion with two taps (N) less; on lavapipe `gabor_eroded` costs (N)",
      "1 - ps('gabor_eroded, 5 octaves, 2 taps') / ps('eroded'), ms('eroded') / ms('splats')", 0.15),
     (GLSL + "noise.glsl", "about (N) as much as gabor_noise", "cycles('gabor_noise_animated') / cycles('')", 0.1),
     (GLSL + "spectrum.glsl", "(N) to (N) times that of gabor_noise", "ps('isotropic') / ps(''), ms('isotropic') / ms('')", 0.1),
