@@ -1,6 +1,6 @@
 #!/bin/sh
-# Slang reads the GLSL expression mat3(1.0) as a matrix of nine ones, where GLSL says identity. HLSL and GLSL that Slang
-# writes hold the nine ones; there is neither an error nor a warning.
+# Slang reads the GLSL expression mat3(1.0) as a matrix of nine ones, where GLSL says identity. The HLSL and GLSL that
+# Slang writes contain the nine ones, and Slang prints neither an error nor a warning.
 # Versions: Slang 2026.12, in slangpy 0.43.1 (PyPI; only its compiler is used, no GPU). Seen with Python 3.11.
 # Surprise: -lang glsl with -allow-glsl exists to compile GLSL as it stands, and the shader compiles. One scalar in a
 # constructor follows HLSL's rule (fill) instead of GLSL's (diagonal; section 5.4.2 of the specification).
