@@ -165,6 +165,12 @@ void start_renderer([[maybe_unused]] const vulkan::Device& device, ImGui_ImplVul
 #endif
 }
 
+void build([[maybe_unused]] ImFontAtlas& atlas) {
+#if IMGUI_VERSION_NUM < 19200 // later versions draw letters when they are needed
+    atlas.Build();
+#endif
+}
+
 const ImFontGlyph& glyph(ImWchar letter) {
 #if IMGUI_VERSION_NUM < 19200
     return *ImGui::GetFont()->FindGlyph(letter);

@@ -27,6 +27,9 @@ void process_events_at_once();
 /// Starts the renderer, and uploads the fonts.
 void start_renderer(const vulkan::Device& device, ImGui_ImplVulkan_InitInfo& info, vk::RenderPass pass);
 
+/// Draws the fonts' letters into the atlas.
+void build(ImFontAtlas& atlas);
+
 /// A letter of the current font.
 const ImFontGlyph& glyph(ImWchar letter);
 

@@ -138,7 +138,7 @@ void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     for (const auto& [script, wanted] : scripts)
         for (const system::Font& font : system::fonts_with(wanted))
             add(font, wanted);
-    atlas.Build();
+    dear_imgui::build(atlas);
 }
 
 // Closes colour pickers and drop-down lists that a press at `at` misses, so that the press also reaches the
