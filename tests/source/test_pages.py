@@ -82,6 +82,14 @@ class Pages(unittest.TestCase):
             self.compile(f"#version 450\n{drop_ins}layout(location = 0) in vec4 given;\nvoid main()\n{{\n"
                          f"vec2 p = given.xy, wave = given.zw;\nfloat time = given.x;\n{code}}}\n")
 
+    def test_the_clouds_for_three_js_compile(self):
+        code = re.search(r"(?s)gabor_noise_glsl \+ gabor_fractal_glsl \+ `(.*?)`,\n", (ROOT / "docs" / "engines.md").read_text())[1]
+        for given, located in (("in vec2", "layout(location = 0) in vec2"), ("uniform float", "layout(location = 1) in float"),
+                               ("out vec4", "layout(location = 0) out vec4")):
+            self.assertEqual(code.count(given), 1)
+            code = code.replace(given, located)
+        self.compile("#version 450\n" + "".join((ROOT / f"shaders/gabor_{name}.glsl").read_text() for name in ("noise", "fractal")) + code)
+
     def test_the_files_to_paste_have_their_order(self):
         rows = re.findall(r"(?m)^\|[^|]*\| \[`gabor_(\w+)\.glsl`\].*\| (.*?) ?\|$", README)
         self.assertEqual({f"gabor_{name}" for name, _ in rows}, {path.stem for path in (ROOT / "shaders").glob("gabor_*.glsl")})

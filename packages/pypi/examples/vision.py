@@ -2,6 +2,8 @@
 
     python vision.py                 shows it for two seconds
     python vision.py --save FOLDER   writes its frames as PNG
+
+Levels are proportional to luminances: linearize the display's gamma first.
 """
 
 import argparse
