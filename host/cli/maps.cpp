@@ -52,6 +52,8 @@ void render_maps(const MapsOptions& options) {
     system::note_interrupts();
     if (options.normal_bits != "8" && options.normal_bits != "16")
         refuse("--normal-bits", options.normal_bits, "8 or 16");
+    if (options.output.ends_with(".png") || options.output.ends_with(".exr"))
+        refuse("--output", options.output, "a folder for the maps");
     render::MapFormat format{options.directx, options.texture, options.floats,
                              options.normal_bits == "8" ? 8 : 16, options.compression};
     if (options.metres)

@@ -328,6 +328,7 @@ class Maps(RenderTest):
         self.assert_refused(["--normal-bits '12': expected 8 or 16"], "maps", "--material=wood", "-o", "set", "--normal-bits=12")
         (self.folder / "file").write_text("mine")
         self.assert_refused(["cannot create the folder 'file'"], "maps", "--material=wood", "-o", "file")
+        self.assert_refused(["--output 'wood.png': expected a folder for the maps"], "maps", "--material=wood", "-o", "wood.png")
         self.assertEqual((self.folder / "file").read_text(), "mine")
 
 

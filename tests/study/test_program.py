@@ -39,7 +39,7 @@ class StudyTest(ProgramTest):
             return list(csv.DictReader(file))
 
     def test_tables_have_the_documented_columns_and_the_papers_numbers(self):
-        self.succeed("study", "figure3", "--quick", "-o", ".")
+        self.assertIn("tools/plot . draws the tables", self.succeed("study", "figure3", "--quick", "-o", "."))
         rows = self.table("figure3")
         self.assertLessEqual({"points", "weights", "kernel", "envelope", "N", "samples", "cvm", "cvm_low", "cvm_high",
                               "n_star"}, set(rows[0]))

@@ -64,6 +64,8 @@ void measure(const StudyOptions& options) {
             cli::check_interrupt();
             study.pictures(device, effort, folder);
         }
+    fmt::print("{}: measured on {}; tools/plot {} draws the tables\n", options.folder, device.info().name,
+               options.folder);
 }
 
 } // namespace
@@ -82,7 +84,8 @@ void add_study_command(CLI::App& app) {
         ->type_name("FOLDER")
         ->required();
     command->add_flag("--quick", options->quick,
-                      "Use fewer samples: all studies take two minutes without a GPU");
+                      "Use fewer samples: all studies take two minutes without a GPU, but points of high "
+                      "quality are missing");
     cli::add_device_option(*command, options->device);
     command->callback([options] { measure(*options); });
 }

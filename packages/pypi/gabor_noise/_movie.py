@@ -70,7 +70,8 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     highest = 0.5 / 2**octaves
     peak = number("frequency", frequency) / unit
     if not 1e-6 <= peak <= highest:
-        raise refuse("frequency", frequency, f"a number from {1e-6 * unit:.3g} to {highest * unit:.3g}, half a cycle per pixel less the bandwidth")
+        raise refuse("frequency", frequency, f"a number from {1e-6 * unit:.3g} to {highest * unit:.3g} cycles per "
+                     f"{'pixel' if pixels_per_degree is None else 'degree'}, half a cycle per pixel less the bandwidth")
     towards = number("orientation", orientation)
     along = octaves * math.log(2) / _WIDTH
     across = math.inf if orientation_bandwidth is None else number("orientation_bandwidth", orientation_bandwidth) / _WIDTH
