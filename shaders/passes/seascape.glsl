@@ -165,8 +165,8 @@ void ruffle(Sea sea, SeaDetail detail, inout GaborWater w) {
     vec2 tail = sea.ocean.tail / 7.52, slope = sqrt(tail) * detail.slope; // 7.52: variance of the ripples' gradient
     w.slope += vec2(along.x * slope.x + along.y * slope.y, along.x * slope.y - along.y * slope.x);
     vec3 kept = gabor_impl_slopes_along(tail * (detail.lost.xy - 7.52), vec2(along.x, -along.y));
-    w.lost = exp(0.35 * detail.gust) * (w.lost + vec3(kept.x, kept.z - kept.x, kept.y));
-    w.lost.xy = max(w.lost.xy, 0.0);
+    vec3 lost = exp(0.35 * detail.gust) * (w.lost + vec3(kept.x, kept.z - kept.x, kept.y));
+    w.lost = vec3(max(lost.xy, 0.0), lost.z);
 }
 
 // White water, which is a net of bubbles but on crests, and foam that stays, in streaks along the wind.
