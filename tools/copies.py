@@ -109,8 +109,8 @@ def data(of_materials, of_boards, of_erosion):
 
 # What the page adds to drop-ins, in order, each after those before it; and macros. The page's sea has more bands than the translation.
 PASSES = {
-    ("gabor_fractal", "gabor_erosion"): ((), ["ground", "ranges", "landscape", "srgb"]),
-    ("gabor_ocean",): (("GABOR_OCEAN_BANDS=12",), ["seascape", "srgb"]),
+    ("gabor_fractal", "gabor_erosion"): ((), ["srgb", "ground", "ranges", "landscape"]),
+    ("gabor_fractal", "gabor_ocean"): (("GABOR_OCEAN_BANDS=12",), ["srgb", "seascape"]),
     ("gabor_materials",): ((), ["room", "light", "srgb", "ball"]),
 }
 FIT = DEMO.parent / "photograph.glsl"  # by gabor fit, of photograph.webp

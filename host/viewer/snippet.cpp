@@ -302,7 +302,7 @@ std::string material_snippet(const View& view) {
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
     return includes({"noise", "erosion", "fractal"}) +
-           shaders({"ground.glsl", "ranges.glsl", "landscape.glsl", "srgb.glsl"}) +
+           shaders({"srgb.glsl", "ground.glsl", "ranges.glsl", "landscape.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
                 "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
                 "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
@@ -313,8 +313,8 @@ std::string terrain_snippet(const View& view) {
 
 std::string sea_snippet(const View& view) {
     const auto push = view.push<passes::OceanPush>();
-    return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
-           shaders({"seascape.glsl", "srgb.glsl"}) +
+    return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) +
+           includes({"noise", "fractal", "ocean"}) + shaders({"srgb.glsl", "seascape.glsl"}) +
            glsl("\n// The colour for the screen. Compute `sea` once.\n{}    GaborSea m = gabor_sea();\n{}"
                 "    m.loop_seconds = {};\n    Sea sea = sea_of(gabor_ocean_of(m), {}u, {}, {}, {});\n"
                 "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",

@@ -1,4 +1,4 @@
-// Shows ground in colour, lit by a sun and the sky, with lakes, from above or in perspective. Include it after ranges.glsl, or after
+// Shows ground in colour, lit by a sun and the sky, with lakes, from above or in perspective. Include it after srgb.glsl, and ranges.glsl or
 // other definitions of its hills_at, ground_on and ground_at.
 
 vec3 sun_of(Ground ground) {
@@ -178,12 +178,6 @@ vec3 sky_along(Ground ground, vec3 ray, float wide) {
     float cover = smoothstep(0.1, 2.6, cloud.noise) * smoothstep(0.02, 0.2, ray.y);
     light = mix(light, mix(vec3(0.95, 0.82, 0.72), vec3(0.92, 0.94, 0.97), smoothstep(0.1, 0.5, sun.y)) + 0.4 * pow(toward, 8.0), 0.75 * cover);
     return light + 12.0 * vec3(1.0, 0.85, 0.65) * smoothstep(0.99985, 0.99996, toward);
-}
-
-// Brings light to the range of a screen. After Narkowicz, ACES filmic tone mapping curve, 2016.
-vec3 exposed(vec3 light) {
-    vec3 c = 0.8 * light;
-    return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
 }
 
 // The height of a point above the ground. If the point is more than `margin` above anything that erosion could add to the

@@ -7,6 +7,8 @@
 #include "passes/ocean_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_ocean.glsl"
+#include "gabor_fractal.glsl"
+#include "srgb.glsl"
 #include "seascape.glsl"
 
 const int channels = ocean_foam + 1;

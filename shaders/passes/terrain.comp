@@ -10,6 +10,7 @@
 #include "gabor_fractal.glsl"
 #include "ground.glsl"
 #include "ranges.glsl"
+#include "srgb.glsl"
 #include "landscape.glsl"
 
 layout(constant_id = view_id) const uint view = view_terrain;

@@ -74,11 +74,12 @@ struct GaborSea {
 //     The waves of a sea; gabor_ocean is for any wind and what gabor_sea returns. The spectrum is JONSWAP's [HBB73]
 //     until the sea is fully developed [PM64], in finite depth that of [BGR85], and directions are those of [HDE80], as
 //     if the wind were at most twice as fast as the peak's waves: younger seas would have no direction. A swell has a
-//     narrow spread of directions and a sharp peak [G10]. Waves do not shorten towards a shore: the depth is one for
-//     all the sea. A loop's price: groups of waves stand still, and each wave's period becomes an integer fraction of
-//     it, so that it should last several periods of the swell; other values are rounded down. Compute a sea once, on
-//     the CPU if the CPU also asks for heights: the integers may round differently on another device. To change a
-//     member, call this again. Beyond their ranges, members count as the nearest value within.
+//     narrow spread of directions and a sharp peak [G10]; in narrow bins of frequency, its power is wrong by factors of
+//     up to 1.23. Waves do not shorten towards a shore: the depth is one for all the sea. A loop's price: groups of
+//     waves stand still, and each wave's period becomes an integer fraction of it, so that it should last several
+//     periods of the swell; other values are rounded down. Compute a sea once, on the CPU if the CPU also asks for
+//     heights: the integers may round differently on another device. To change a member, call this again. Beyond their
+//     ranges, members count as the nearest value within.
 
 // The water particle whose position at rest is p. It is now at p + shift.
 struct GaborWater {

@@ -6,10 +6,10 @@
 #include "../../gabor_erosion.glsl"
 #include "../../gabor_fractal.glsl"
 // ---- the ground, and how it looks ----
+#include "../../passes/srgb.glsl"
 #include "../../passes/ground.glsl"
 #include "../../passes/ranges.glsl"
 #include "../../passes/landscape.glsl"
-#include "../../passes/srgb.glsl"
 // ---- your code ----
 
 void mainImage(out vec4 color, vec2 pixel) {
