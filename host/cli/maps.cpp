@@ -20,7 +20,7 @@ struct MapsOptions : RequestOptions {
     std::optional<std::string> metres;
     bool texture = false;
     bool floats = false;
-    std::string compression = "rle";
+    std::string compression = "zip";
     std::string device;
 };
 

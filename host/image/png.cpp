@@ -1,5 +1,6 @@
 #include "image/png.hpp"
 
+#include "image/deflater.hpp"
 #include "image/metadata.hpp"
 #include "image/output_file.hpp"
 #include "image/picture.hpp"
@@ -55,11 +56,9 @@ struct Libpng {
 namespace {
 
 constexpr png_uint_32 widest_png = 65536;
-// On noise, matches other than runs double the time and save nothing, and higher levels take four times as
-// long.
-constexpr int compression_level = 1;
-constexpr int compression_strategy = 3; // zlib's Z_RLE
-constexpr int filter = PNG_FILTER_UP;
+constexpr png_byte filter_up = 2;
+constexpr std::size_t alike = std::size_t{1} << 14; // bytes to compress at a time
+constexpr std::size_t chunk = std::size_t{1} << 16; // bytes of an IDAT chunk, or a few more
 // The largest interlaced picture to read, in bytes: all of its rows are kept in memory.
 constexpr std::size_t most_interlaced = std::size_t{1} << 28;
 
@@ -148,14 +147,15 @@ std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File 
 
 std::uint32_t quantize(float value, int bits) {
     const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
-    return static_cast<std::uint32_t>(clamped * static_cast<float>((1 << bits) - 1) + 0.5f);
+    return static_cast<std::uint32_t>(
+        static_cast<int>(clamped * static_cast<float>((1 << bits) - 1) + 0.5f)); // int: vectors have no other
 }
 
 struct PngWriter::State : Libpng {
     State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
         : Libpng(false), file(path),
           values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)), bits(bits_),
-          row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {}
+          row(values * static_cast<std::size_t>(bits / 8)), above(row.size()), rows_left(height) {}
 
     template <class Calls>
     void guarded(Calls calls) {
@@ -166,11 +166,16 @@ struct PngWriter::State : Libpng {
         throw std::runtime_error(fmt::format("cannot write {}: {}", file.path().string(), message));
     }
     static void on_write(png_structp png, png_bytep bytes, std::size_t count);
+    void add_row();
+    void write_chunk(const char* name, std::span<const png_byte> bytes);
 
     OutputFile file;
     std::size_t values; ///< number of values in a row
     int bits;
     std::vector<png_byte> row;
+    std::vector<png_byte> above;    ///< the row before
+    std::vector<png_byte> filtered; ///< not compressed yet
+    Deflater deflater;
     int rows_left;
     std::exception_ptr failure; ///< what OutputFile::write threw, if anything
 };
@@ -187,6 +192,31 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     png_error(png, "the file cannot be written");
 }
 
+void PngWriter::State::write_chunk(const char* name, std::span<const png_byte> bytes) {
+    guarded(
+        [&] { png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), bytes.data(), bytes.size()); });
+}
+
+// Filters the row and, once there are enough bytes, compresses and writes them.
+void PngWriter::State::add_row() {
+    filtered.push_back(filter_up);
+    filtered.resize(filtered.size() + row.size());
+    std::ranges::transform(row, above, filtered.end() - static_cast<std::ptrdiff_t>(row.size()),
+                           [](png_byte here, png_byte over) { return static_cast<png_byte>(here - over); });
+    std::swap(row, above);
+    const bool last = --rows_left == 0;
+    if (last || filtered.size() >= alike) {
+        deflater.write(filtered);
+        filtered.clear();
+    }
+    if (last)
+        deflater.finish();
+    if (last || deflater.output().size() >= chunk) {
+        write_chunk("IDAT", deflater.output());
+        deflater.output().clear();
+    }
+}
+
 PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits)
     : state_(std::make_unique<State>(path, width, height, channels, bits)) {
     const png_structp png = state_->png;
@@ -195,9 +225,6 @@ PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, i
     state_->guarded([=] {
         png_set_write_fn(png, state, State::on_write, [](png_structp) {});
         png_set_user_limits(png, widest_png, widest_png);
-        png_set_compression_level(png, compression_level);
-        png_set_compression_strategy(png, compression_strategy);
-        png_set_filter(png, PNG_FILTER_TYPE_BASE, filter);
         png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
                      channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -215,22 +242,23 @@ void PngWriter::write_rows(std::span<const float> values) {
     if (values.size() % state_->values != 0 || rows > static_cast<std::size_t>(state_->rows_left))
         throw std::logic_error("PngWriter::write_rows takes whole rows and no more than the picture has");
     for (; !values.empty(); values = values.subspan(state_->values)) {
-        auto byte = row.begin();
-        for (const float value : values.first(state_->values)) {
-            const std::uint32_t level = quantize(value, bits);
-            if (bits == 16)
-                *byte++ = static_cast<png_byte>(level >> 8);
-            *byte++ = static_cast<png_byte>(level);
+        const std::size_t count = state_->values;
+        png_byte* const bytes = row.data();
+        for (std::size_t i = 0; bits == 8 && i < count; ++i)
+            bytes[i] = static_cast<png_byte>(quantize(values[i], 8));
+        for (std::size_t i = 0; bits == 16 && i < count; ++i) {
+            const std::uint32_t level = quantize(values[i], 16);
+            bytes[2 * i] = static_cast<png_byte>(level >> 8);
+            bytes[2 * i + 1] = static_cast<png_byte>(level);
         }
-        state_->guarded([&] { png_write_row(state_->png, row.data()); });
-        --state_->rows_left;
+        state_->add_row();
     }
 }
 
 void PngWriter::commit() {
     if (state_->rows_left != 0)
         throw std::logic_error("PngWriter::commit called before the last row");
-    state_->guarded([&] { png_write_end(state_->png, state_->info); });
+    state_->write_chunk("IEND", {});
     state_->file.commit();
 }
 

@@ -63,7 +63,10 @@ const uint warped_id = 34;
 const uint cover_id = 35;
 const uint lakes_id = 36;
 
-const uint constant_count = 37;
+// passes/material.comp and passes/terrain.comp: whether the channels of light are left as they are
+const uint unlit_id = 37;
+
+const uint constant_count = 38;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -18,6 +18,7 @@ layout(constant_id = view_id) const uint view = view_flat;
 layout(constant_id = environment_id) const int environment = 0;
 layout(constant_id = boards_id) const bool laid = false;
 layout(constant_id = finish_id) const bool finished = false;
+layout(constant_id = unlit_id) const bool unlit = false;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? material_coverage + 1 : material_slope + 2;
 const int rays = 4;
@@ -57,13 +58,15 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
 #include "relief.glsl"
 
 void write_sample(int at, Sample here, float coverage) {
-    vec3 light = lit_sample(here, lamp, body);
-    if (body)
-        light = mix(backdrop, light, coverage);
-    for (int i = 0; i < 3; ++i) {
-        picture[at + material_colour + i] = here.material.colour[i];
-        picture[at + material_lit + i] = light[i];
+    if (!unlit) {
+        vec3 light = lit_sample(here, lamp, body);
+        if (body)
+            light = mix(backdrop, light, coverage);
+        for (int i = 0; i < 3; ++i)
+            picture[at + material_lit + i] = light[i];
     }
+    for (int i = 0; i < 3; ++i)
+        picture[at + material_colour + i] = here.material.colour[i];
     picture[at + material_height] = here.material.height;
     picture[at + material_roughness] = gabor_roughness(here.material);
     picture[at + material_metalness] = here.material.metalness;

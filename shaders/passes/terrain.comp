@@ -16,6 +16,7 @@
 layout(constant_id = view_id) const uint view = view_terrain;
 layout(constant_id = cover_id) const int cover = 0;
 layout(constant_id = lakes_id) const bool lakes = false;
+layout(constant_id = unlit_id) const bool unlit = false;
 const int channels = terrain_erosion + 1;
 
 layout(local_size_x = terrain_group, local_size_y = terrain_group) in;
@@ -34,7 +35,8 @@ void main() {
     RayHit hit = seen_in_pixel(ground, corner, view == view_terrain ? 0.0 : distance, yaw, pitch, center, pixel, place);
     for (int i = 0; i < 3; ++i) {
         picture[at + terrain_colour + i] = hit.colour[i];
-        picture[at + terrain_lit + i] = hit.light[i];
+        if (!unlit)
+            picture[at + terrain_lit + i] = hit.light[i];
     }
     picture[at + terrain_height] = unit * hit.ground.height;
     picture[at + terrain_slope] = hit.ground.slope.x;

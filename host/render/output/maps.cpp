@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -32,85 +33,83 @@ const std::vector<std::string> map_channels = [] {
     return names;
 }();
 
-image::Rect whole_of(const Request& request) {
-    return {0, 0, request.width, request.height};
-}
+constexpr int horizon = 32; // pixels that occlusion looks far
 
-// All channels of all pixels, row by row. Heights are in metres.
-struct Maps {
-    int width;
-    int height;
-    std::vector<float> values = std::vector<float>(static_cast<std::size_t>(width) *
-                                                   static_cast<std::size_t>(height) * map_channels.size());
+// The heights of maps in metres, row by row, with `horizon` more pixels on each side: beyond an edge, a tile
+// wraps around, and other maps repeat the nearest pixel.
+class Heights {
+  public:
+    explicit Heights(const Request& request)
+        : columns_(request.width), rows_(request.height), tiled_(request.view.tileable),
+          values_(static_cast<std::size_t>(columns_ + 2 * horizon) *
+                  static_cast<std::size_t>(rows_ + 2 * horizon)) {}
 
-    std::size_t row_values() const { return static_cast<std::size_t>(width) * map_channels.size(); }
-
-    float* at(int x, int y) {
-        return &values[static_cast<std::size_t>(y) * row_values() +
-                       static_cast<std::size_t>(x) * map_channels.size()];
+    // Sets row y from maps, and the rows beyond the edges that repeat it.
+    void set(int y, const float* maps) {
+        float* const row = at(y);
+        for (int x = -horizon; x < columns_ + horizon; ++x)
+            row[x] =
+                maps[static_cast<std::size_t>(within(x, columns_)) * map_channels.size() + height_channel];
+        for (int i = 0; i < horizon; ++i)
+            for (const int beyond : {-1 - i, rows_ + i})
+                if (within(beyond, rows_) == y)
+                    std::copy(row - horizon, row + columns_ + horizon, at(beyond) - horizon);
     }
 
-    std::pair<float, float> heights() const {
-        float low = values[height_channel];
-        float high = low;
-        for (std::size_t i = height_channel; i < values.size(); i += map_channels.size()) {
-            low = std::min(low, values[i]);
-            high = std::max(high, values[i]);
+    std::span<const float> row(int y) const { return {at(y), static_cast<std::size_t>(columns_)}; }
+
+    std::pair<float, float> range() const {
+        auto [low, high] = std::pair(*at(0), *at(0));
+        for (int y = 0; y < rows_; ++y) {
+            const auto [lowest, highest] = std::ranges::minmax(row(y));
+            low = std::min(low, lowest);
+            high = std::max(high, highest);
         }
         return {low, high};
     }
-};
 
-constexpr int horizon = 32; // pixels that occlusion looks far
+    void set_occlusion(int y, double pixels_per_metre, float* maps) const;
 
-// Returns the heights, row by row, with `horizon` more pixels on each side: beyond an edge, a tile wraps
-// around, and other maps repeat the nearest pixel.
-std::vector<float> bordered_heights(Maps& maps, bool tiled) {
-    const auto within = [tiled](int i, int side) {
-        if (!tiled)
+  private:
+    int within(int i, int side) const {
+        if (!tiled_)
             return std::clamp(i, 0, side - 1);
         const int rest = i % side;
         return rest < 0 ? rest + side : rest;
-    };
-    std::vector<float> heights;
-    heights.reserve(static_cast<std::size_t>(maps.width + 2 * horizon) *
-                    static_cast<std::size_t>(maps.height + 2 * horizon));
-    for (int y = -horizon; y < maps.height + horizon; ++y)
-        for (int x = -horizon; x < maps.width + horizon; ++x)
-            heights.push_back(maps.at(within(x, maps.width), within(y, maps.height))[height_channel]);
-    return heights;
-}
+    }
+    std::ptrdiff_t down() const { return columns_ + 2 * horizon; }
+    const float* at(int y) const {
+        return &values_[static_cast<std::size_t>((y + horizon) * down() + horizon)];
+    }
+    float* at(int y) { return &values_[static_cast<std::size_t>((y + horizon) * down() + horizon)]; }
 
-// Sets the share of the sky's light that reaches each pixel: the mean of cos^2 of the horizon's elevation.
-// Rows at a time, which compilers turn into vectors.
-void set_occlusion(Maps& maps, double pixels_per_metre, bool tiled, const image::Advance& advance) {
+    int columns_;
+    int rows_;
+    bool tiled_;
+    std::vector<float> values_;
+};
+
+// Sets the share of the sky's light that reaches the pixels of row y: the mean of cos^2 of the horizon's
+// elevation. A row at a time, which compilers turn into vectors.
+void Heights::set_occlusion(int y, double pixels_per_metre, float* maps) const {
     constexpr std::array<std::array<int, 2>, 8> directions{
         {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-    const std::vector<float> heights = bordered_heights(maps, tiled);
-    const std::ptrdiff_t down = maps.width + 2 * horizon;
-    const auto width = static_cast<std::size_t>(maps.width);
-    std::vector<float> steepest(width);
-    std::vector<float> open(width);
-    for (int y = 0; y < maps.height; ++y) {
-        advance(0);
-        std::ranges::fill(open, 0.0f);
-        const float* const here = &heights[static_cast<std::size_t>((y + horizon) * down + horizon)];
-        for (const auto& [dx, dy] : directions) {
-            std::ranges::fill(steepest, 0.0f);
-            for (int step = 1; step <= horizon; step *= 2) {
-                const float* const there = here + step * (dy * down + dx);
-                const auto share = static_cast<float>(pixels_per_metre / (step * std::hypot(dx, dy)));
-                for (std::size_t x = 0; x < width; ++x)
-                    steepest[x] = std::max(steepest[x], share * (there[x] - here[x]));
-            }
+    const auto width = static_cast<std::size_t>(columns_);
+    const float* const here = at(y);
+    std::vector<float> steepest(width), open(width);
+    for (const auto& [dx, dy] : directions) {
+        std::ranges::fill(steepest, 0.0f);
+        for (int step = 1; step <= horizon; step *= 2) {
+            const float* const there = here + step * (dy * down() + dx);
+            const auto share = static_cast<float>(pixels_per_metre / (step * std::hypot(dx, dy)));
             for (std::size_t x = 0; x < width; ++x)
-                open[x] += 1 / (1 + steepest[x] * steepest[x]);
+                steepest[x] = std::max(steepest[x], share * (there[x] - here[x]));
         }
-        float* const row = maps.at(0, y);
         for (std::size_t x = 0; x < width; ++x)
-            row[x * map_channels.size() + occlusion_channel] =
-                open[x] / static_cast<float>(directions.size());
+            open[x] += 1 / (1 + steepest[x] * steepest[x]);
     }
+    for (std::size_t x = 0; x < width; ++x)
+        maps[x * map_channels.size() + occlusion_channel] = open[x] / static_cast<float>(directions.size());
 }
 
 // Replaces the channels that mip levels cannot average: the roughness r with r^4, the second moment of the
@@ -167,20 +166,58 @@ void set_maps(std::span<const float> pixel, bool terrain, float unit, float* map
     maps[normal_channel + 2] = 1 / length;
 }
 
-Maps draw_maps(const vulkan::Device& device, const Request& request, double metres,
-               const image::Advance& advance) {
+constexpr int band = 16; // rows of maps that are written together: few enough for a cache
+
+// Draws the maps, with their heights, and passes bands of whole rows to `use`, with the index of the first.
+void draw_maps(const vulkan::Device& device, const Request& request, double metres, Heights& heights,
+               const image::Advance& advance, const std::function<void(std::span<const float>, int)>& use) {
     const bool terrain = request.kind == Kind::terrain;
-    const double unit = metres / request.width * request.scale / (terrain ? terrain_unit(request) : 1);
-    Maps maps{request.width, request.height};
-    float* next = maps.values.data();
+    const auto unit =
+        static_cast<float>(metres / request.width * request.scale / (terrain ? terrain_unit(request) : 1));
     const std::size_t channels = render::channels(request).size();
-    render_region(device, request, whole_of(request), [&](std::span<const float> rows) {
-        advance(rows.size() / channels);
-        for (std::size_t i = 0; i < rows.size(); i += channels, next += map_channels.size())
-            set_maps(rows.subspan(i, channels), terrain, static_cast<float>(unit), next);
+    const std::size_t row_values = static_cast<std::size_t>(request.width) * map_channels.size();
+    std::vector<float> waiting; // rows whose occlusion needs heights that are not drawn yet
+    const auto add_rows = [&](std::span<const float> pixels) {
+        waiting.resize(waiting.size() + pixels.size() / channels * map_channels.size());
+        float* next = &*waiting.end() - pixels.size() / channels * map_channels.size();
+        for (std::size_t i = 0; i < pixels.size(); i += channels, next += map_channels.size())
+            set_maps(pixels.subspan(i, channels), terrain, unit, next);
+    };
+    Renderer renderer(device);
+    const auto draw = [&](int first, int rows, const Sink& take) {
+        Viewport viewport = viewport_of(request, {0, first, request.width, rows});
+        viewport.lit = false;
+        renderer.set(plan(request, viewport, {}, kind_of(device)));
+        render_plan(device, renderer, take);
+    };
+    if (const int rows = std::min(horizon, request.height); request.view.tileable) { // beyond the upper edge
+        draw(request.height - rows, rows, add_rows);
+        for (int i = 0; i < rows; ++i)
+            heights.set(request.height - rows + i, &waiting[static_cast<std::size_t>(i) * row_values]);
+        waiting.clear();
+    }
+    int drawn = 0;
+    int used = 0;
+    draw(0, request.height, [&](std::span<const float> pixels) {
+        advance(pixels.size() / channels);
+        add_rows(pixels);
+        const auto end = used + static_cast<int>(waiting.size() / row_values);
+        for (; drawn < end; ++drawn)
+            heights.set(drawn, &waiting[static_cast<std::size_t>(drawn - used) * row_values]);
+        std::size_t done = 0;
+        while (used < drawn && (drawn == request.height || used + band + horizon <= drawn)) {
+            advance(0);
+            const int rows = std::min(band, drawn - used);
+            for (int i = 0; i < rows; ++i)
+                heights.set_occlusion(used + i, request.width / metres,
+                                      &waiting[done + static_cast<std::size_t>(i) * row_values]);
+            const auto used_values = static_cast<std::size_t>(rows) * row_values;
+            use(std::span(waiting).subspan(done, used_values), used);
+            done += used_values;
+            used += rows;
+        }
+        waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(done));
     });
-    set_occlusion(maps, request.width / metres, request.view.tileable, advance);
-    return maps;
 }
 
 constexpr std::string_view directx_name = "normal_directx";
@@ -218,7 +255,7 @@ constexpr const char* summary_name = "material.json";
 
 image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format,
                            double metres) {
-    image::ExrHeader header = exr_header(request, whole_of(request), software(device));
+    image::ExrHeader header = exr_header(request, {0, 0, request.width, request.height}, software(device));
     header.channels = map_channels;
     if (!format.floats)
         std::ranges::copy_if(map_channels, std::back_inserter(header.halves),
@@ -237,9 +274,8 @@ float dither(std::size_t x, std::size_t y) {
     return static_cast<float>(std::fmod(52.9829189 * std::fmod(wave, 1.0), 1.0) - 0.5);
 }
 
-// Returns what a PNG shows of whole rows; `y` is the first. Heights are from `low` to `high`.
-std::vector<float> shown_rows(const Png& png, std::span<const float> rows, std::size_t width, std::size_t y,
-                              float low, float high) {
+// Returns what a PNG shows of whole rows, but for heights; `y` is the first.
+std::vector<float> shown_rows(const Png& png, std::span<const float> rows, std::size_t width, std::size_t y) {
     const std::size_t count = png.channels.size();
     std::vector<float> shown(rows.size() / map_channels.size() * count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -251,9 +287,6 @@ std::vector<float> shown_rows(const Png& png, std::span<const float> rows, std::
         };
         if (channel < height_channel) {
             set(srgb);
-        } else if (channel == height_channel) {
-            const float share = high > low ? 1 / (high - low) : 0;
-            set([=](float value) { return share > 0 ? (value - low) * share : flat_grey; });
         } else if (channel < normal_channel || channel == occlusion_channel) {
             set([](float value) { return value; });
         } else {
@@ -267,32 +300,28 @@ std::vector<float> shown_rows(const Png& png, std::span<const float> rows, std::
     return shown;
 }
 
-// Writes all channels to the EXR, and each PNG's channels to it.
-void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>& pngs,
-                std::vector<image::PngWriter>& writers, float low, float high,
-                const image::Advance& advance) {
-    constexpr std::size_t band = 64; // rows
-    for (std::size_t y = 0; y * maps.row_values() < maps.values.size(); y += band) {
-        advance(0);
-        const auto left = std::span(maps.values).subspan(y * maps.row_values());
-        const auto rows = left.first(std::min(left.size(), band * maps.row_values()));
-        exr.write_rows(rows);
-        for (std::size_t k = 0; k < pngs.size(); ++k)
-            writers[k].write_rows(
-                shown_rows(pngs[k], rows, static_cast<std::size_t>(maps.width), y, low, high));
+bool shows_heights(const Png& png) {
+    return png.channels.front() == height_channel;
+}
+
+void write_heights(image::PngWriter& writer, const Heights& heights, int rows, float low, float high) {
+    const float share = high > low ? 1 / (high - low) : 0;
+    std::vector<float> shown;
+    for (int y = 0; y < rows; ++y) {
+        shown.clear();
+        for (const float height : heights.row(y))
+            shown.push_back(share > 0 ? (height - low) * share : flat_grey);
+        writer.write_rows(shown);
     }
 }
 
-// Writes the levels after the first.
-void write_levels(image::ExrWriter& writer, const Maps& maps) {
-    int width = maps.width;
-    int height = maps.height;
-    std::vector<float> level = averaged_from(maps.values);
+// Writes the levels after the first, which has this size. `level` is the second, from averaged_from.
+void write_levels(image::ExrWriter& writer, std::vector<float> level, int width, int height) {
     while (width > 1 || height > 1) {
-        level = halved(level, width, height, map_channels.size());
         width = std::max(width / 2, 1);
         height = std::max(height / 2, 1);
         writer.write_rows(maps_from(level));
+        level = halved(level, width, height, map_channels.size());
     }
 }
 
@@ -310,11 +339,26 @@ void write_maps(const vulkan::Device& device, const Request& request, const std:
     image::OutputFile gltf(folder / gltf_name);
     image::OutputFile json(folder / summary_name);
 
-    const Maps maps = draw_maps(device, request, metres, advance);
-    const auto [low, high] = maps.heights();
-    write_rows(maps, exr, pngs, writers, low, high, advance);
+    Heights heights(request);
+    std::vector<float> level; // the second of a texture
+    const auto width = static_cast<std::size_t>(request.width);
+    draw_maps(device, request, metres, heights, advance, [&](std::span<const float> rows, int y) {
+        exr.write_rows(rows);
+        for (std::size_t k = 0; k < pngs.size(); ++k)
+            if (!shows_heights(pngs[k]))
+                writers[k].write_rows(shown_rows(pngs[k], rows, width, static_cast<std::size_t>(y)));
+        if (format.texture) {
+            const auto count = static_cast<int>(rows.size() / (width * map_channels.size()));
+            const auto half = halved(averaged_from(rows), request.width, count, map_channels.size());
+            level.insert(level.end(), half.begin(), half.end());
+        }
+    });
+    const auto [low, high] = heights.range();
+    for (std::size_t k = 0; k < pngs.size(); ++k)
+        if (shows_heights(pngs[k]))
+            write_heights(writers[k], heights, request.height, low, high);
     if (format.texture)
-        write_levels(exr, maps);
+        write_levels(exr, std::move(level), request.width, request.height);
     // Heights are span * (shown - midlevel): Blender's Strength or Scale, and Midlevel.
     const float span = high > low ? high - low : 1;
     const float midlevel = (high > low ? 0 : flat_grey) - low / span;

@@ -11,7 +11,7 @@
 
 namespace gabor::render {
 
-/// The largest side of maps, in pixels. Maps take 44 bytes of memory per pixel, or 90 with mip levels.
+/// The largest side of maps, in pixels. Maps keep 4 bytes per pixel in memory, or 14 with mip levels.
 constexpr int most_map_side = 8192;
 
 /// The sides of maps, in pixels, unless asked for otherwise.
@@ -22,7 +22,7 @@ struct MapFormat {
     bool texture = false; ///< write mip levels to maps.exr; slopes that averaging removes become roughness
     bool floats = false;  ///< store 32-bit floats in maps.exr; otherwise only heights have 32 bits
     int normal_bits = 16; ///< of normal.png; 8 bits are dithered
-    std::string compression = "rle";   ///< of maps.exr: see image::exr_compressions
+    std::string compression = "zip";   ///< of maps.exr: see image::exr_compressions
     std::optional<double> metres = {}; ///< the width of the maps; if not set, a terrain's extent or 1
 };
 

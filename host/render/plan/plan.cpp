@@ -341,6 +341,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     constants[passes::environment_id] = vulkan::constant(request.environment);
     constants[passes::boards_id] = request.boards;
     constants[passes::finish_id] = request.finish;
+    constants[passes::unlit_id] = !viewport.lit;
     plan.tables = {bytes_of(struct_values(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');
@@ -382,6 +383,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     constants[passes::view_id] = view_constant(request);
     constants[passes::cover_id] = vulkan::constant(request.cover);
     constants[passes::lakes_id] = request.water_level > -hill_reach;
+    constants[passes::unlit_id] = !viewport.lit;
     plan.tables = {bytes_of(struct_values(request))};
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }

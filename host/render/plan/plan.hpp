@@ -97,6 +97,8 @@ struct Viewport {
     int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
     bool normals = false; ///< whether to draw normals: see render::channels
+    bool lit =
+        true; ///< whether to draw the light of a material or terrain; otherwise its channels are undefined
 };
 
 /// The viewport of a region of the picture that gabor render draws.

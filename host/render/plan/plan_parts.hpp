@@ -56,7 +56,7 @@ struct Side {
 
 /// The side of a picture along x (0) or y (1).
 inline Side side_of(const Request& request, const Viewport& viewport, std::size_t axis) {
-    const auto& [camera, width, height, region, stride, blocks, normals] = viewport;
+    const auto& [camera, width, height, region, stride, blocks, normals, lit] = viewport;
     const double scale = request.scale * camera.zoom;
     return axis == 0 ? Side{request.width, width, region.x, region.width, scale, double(stride), camera.x}
                      : Side{request.height, height, region.y, region.height, scale, double(stride), camera.y};
