@@ -56,10 +56,22 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
 
 #include "relief.glsl"
 
-void write_sample(int at, Sample here, float coverage) {
+// What is behind a body: a floor, which fades into the backdrop.
+vec3 behind(vec2 pixel_at, Axes axes) {
+    vec2 place = (pixel_at + 0.5 - center) / (2.0 * max(center.x, center.y));
+    vec3 light = lamp_above(place, lamp), normal = in_picture(vec3(0.0, 0.0, 1.0), axes);
+    Floor floor_here = floor_at(pixel_at + 0.5, light.x * axes.right - light.y * axes.up + light.z * axes.toward_eye, axes);
+    Surface stone = Surface(vec3(0.09, 0.092, 0.1), 0.8, 0.0);
+    vec3 eye = normalize(in_picture(-ray_of(pixel_at + 0.5, axes), axes));
+    vec3 shaded = lit(stone, normal, eye, -normal, sky_above(true));
+    vec3 lamp_light = lit(stone, normal, eye, light, sky_above(true)) - shaded;
+    return mix(backdrop, floor_here.open * (shaded + floor_here.lamp_open * lamp_light), floor_here.near);
+}
+
+void write_sample(int at, Sample here, vec3 backlight, float coverage) {
     vec3 light = lit_sample(here, lamp, body);
     if (body)
-        light = mix(backdrop, light, coverage);
+        light = mix(backlight, light, coverage);
     for (int i = 0; i < 3; ++i) {
         picture[at + material_colour + i] = here.material.colour[i];
         picture[at + material_lit + i] = light[i];
@@ -93,11 +105,14 @@ void main() {
     SurfacePoint point;
     Axes axes = flat_axes();
     float coverage = 1.0;
+    vec3 backlight = backdrop;
     if (body) {
         axes = camera_axes(yaw, pitch);
         Seen seen = seen_at(pixel_at, axes);
+        if (seen.coverage < 1.0)
+            backlight = behind(pixel_at, axes);
         if (!seen.found) {
-            write_background(at, backdrop);
+            write_background(at, backlight);
             return;
         }
         coverage = seen.coverage;
@@ -111,5 +126,5 @@ void main() {
         }
         point = point_of_pixel(pixel_at + 0.5, center, corner, pixel, rows, size.x);
     }
-    write_sample(at, sample_at(point, body, axes), coverage);
+    write_sample(at, sample_at(point, view == view_sphere ? 1 : body ? 2 : 0, axes), backlight, coverage);
 }
