@@ -17,6 +17,7 @@ layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
 layout(constant_id = environment_id) const int environment = 0;
 layout(constant_id = boards_id) const bool laid = false;
+layout(constant_id = coat_id) const bool coated = false;
 layout(constant_id = finish_id) const bool finished = false;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? material_coverage + 1 : material_slope + 2;
@@ -32,6 +33,7 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 layout(std430, set = 0, binding = 1) readonly buffer Parameters {
     GABOR_PARAMETERS parameters;
     GaborBoards boards;
+    GaborCoat coat;
     GaborFinish finish;
 };
 
@@ -39,7 +41,7 @@ GABOR_PARAMETERS look;
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     vec2 tile = tiled ? pixel * size : vec2(0.0), period = laid ? vec2(0.0) : tile;
-    GaborBoard board = GaborBoard(p, dx, dy, seed, vec2(0.0), 0.0, vec3(0.0));
+    GaborBoard board = GaborBoard(p, dx, dy, seed, vec2(0.0), 0.0, vec2(0.0), vec3(0.0), vec2(1000.0));
     if (laid)
         board = gabor_board(p, filtered ? dx : vec2(0.0), filtered ? dy : vec2(0.0), tile, boards, seed);
     GaborMaterial material;
@@ -49,6 +51,13 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
         material = GABOR_MATERIAL(board.position, period, look, board.seed);
     if (laid)
         material = gabor_laid(material, board, boards);
+    if (coated) { // a coat that wears at edges chips board by board
+        uint salt = coat.edge_wear > 0.0 ? board.seed : seed;
+        if (filtered)
+            material = gabor_coated_filtered(material, p, dx, dy, tile, board.to_edge, coat, salt);
+        else
+            material = gabor_coated(material, p, tile, board.to_edge, coat, salt);
+    }
     if (finished && filtered)
         return gabor_finished_filtered(material, p, dx, dy, tile, finish, seed);
     return finished ? gabor_finished(material, p, tile, finish, seed) : material;
