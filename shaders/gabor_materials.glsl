@@ -801,7 +801,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
         vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = vec3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, vec3(mean.z * count * count, 0.0));
-    float bare = fabric.cords > 0.0 ? 0.3 : 1.0; // pile hides the weave of corduroy
+    float bare = fabric.cords > 0.0 ? 0.12 : 1.0; // pile hides the weave of corduroy
     colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), bare * kept);
     unit *= bare;
     height *= unit;

@@ -909,7 +909,7 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, float2 count, GaborFabric 
         float3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = float3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, float3(mean.z * count * count, 0.0));
-    float bare = fabric.cords > 0.0 ? 0.3 : 1.0; // pile hides the weave of corduroy
+    float bare = fabric.cords > 0.0 ? 0.12 : 1.0; // pile hides the weave of corduroy
     colour = lerp(0.5 * mean.x * (warp + weft), colour / float(samples), bare * kept);
     unit *= bare;
     height *= unit;

@@ -813,7 +813,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
         gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
     if (fabric.weave >= 0.5f) mean = gabor_vec3(0.91f - uneven * (0.0105f + 0.0045f * uneven), 0.0655f, 0.37f);
     gabor_impl_average(height, lost, samples, kept, mean.y, gabor_vec3(mean.z * count * count, 0.0f));
-    float bare = fabric.cords > 0.0f ? 0.3f : 1.0f; // pile hides the weave of corduroy
+    float bare = fabric.cords > 0.0f ? 0.12f : 1.0f; // pile hides the weave of corduroy
     colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), bare * kept);
     unit *= bare;
     height *= unit;

@@ -810,7 +810,7 @@ fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, o
     var mean = vec3f(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) { mean = vec3f(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37); }
     gabor_impl_average(&height, &lost, samples, kept, mean.y, vec3f(mean.z * count * count, 0.0));
-    let bare = select(1.0, 0.3, fabric.cords > 0.0); // pile hides the weave of corduroy
+    let bare = select(1.0, 0.12, fabric.cords > 0.0); // pile hides the weave of corduroy
     colour = mix(0.5 * mean.x * (warp + weft), colour / f32(samples), bare * kept);
     unit *= bare;
     height *= unit;
