@@ -100,8 +100,8 @@ struct GaborCoat {
 // GaborMaterial gabor_coated(GaborMaterial material, vec2 p, vec2 period, vec2 to_edge, GaborCoat coat, uint seed)
 // GaborMaterial gabor_coated_filtered(GaborMaterial material, vec2 p, vec2 dx, vec2 dy, vec2 period, vec2 to_edge,
 //                                     GaborCoat coat, uint seed)
-//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2(1000.0) without edges. After
-//     gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
+//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2(1000.0) without edges.
+//     After gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
@@ -210,7 +210,8 @@ GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards b
     float joint = board.joint_cover.x, free = 1.0 - joint;
     vec2 back = vec2(board.rotation.x, -board.rotation.y);
     vec3 grey = vec3(dot(material.colour, vec3(0.2126, 0.7152, 0.0722)));
-    vec3 colour = board.shade * mix(grey, material.colour, 1.0 + 2.0 * board.tint.y) * exp(board.tint.x * gabor_impl_hue());
+    vec3 colour = board.shade * exp(board.tint.x * gabor_impl_hue())
+                * mix(grey, material.colour, 1.0 + 2.0 * board.tint.y);
     return GaborMaterial(mix(clamp(colour, 0.0, 1.0), boards.joint_colour, joint),
                          free * material.height - joint * boards.joint_depth,
                          free * gabor_impl_product(material.slope, board.rotation)

@@ -117,7 +117,8 @@ terrain's erosion.
                                        {"", Group::boards},
                                        {"", Group::coat},
                                        {"", Group::finish}})
-        add_group(*command, *options, title, group, *title || group == Group::erosion ? changes_maps : nullptr);
+        add_group(*command, *options, title, group,
+                  *title || group == Group::erosion ? changes_maps : nullptr);
     command->get_option("--view")->description("flat for a material, or terrain [flat]");
     command->callback([options] { render_maps(*options); });
 }

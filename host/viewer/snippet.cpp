@@ -302,7 +302,10 @@ std::string material_snippet(const View& view) {
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
                 "{}{}    Axes axes = {};\n    Sample here = sample_at({}, {}, axes);\n    return {};\n}}\n",
                 head(view, "vec3 colour"), below_horizon(view, sky), axes_of(view, push.yaw, push.pitch),
-                point, !view.in_space() ? 0 : view.request.view.projection == render::Projection::sphere ? 1 : 2,
+                point,
+                !view.in_space()                                             ? 0
+                : view.request.view.projection == render::Projection::sphere ? 1
+                                                                             : 2,
                 glsl(looks_as.at(static_cast<std::size_t>(view.look)), view.display.lamp, view.shows_body(),
                      view.display.contrast, view.display.green));
 }

@@ -119,8 +119,8 @@ Seen seen_at(vec2 corner, Axes axes) {
     return Seen(hit.found, coverage, hit.p, hit.normal, dx, dy);
 }
 
-// The floor below a body where the ray through a pixel meets it: how much of the sky and of the lamp's light the body leaves, and how much
-// the floor differs from the backdrop there.
+// The floor below a body where the ray through a pixel meets it: how much of the sky and of the lamp's light the body
+// leaves, and how much the floor differs from the backdrop there.
 struct Floor {
     float open;
     float lamp_open;

@@ -48,10 +48,10 @@ Chart chart_of_torus(vec3 p, vec3 normal, float unit, bvec2 turned, float tear, 
     return Chart(arc * angle, unit * torus_ring / axis_distance * right, cross(normal, right), share.x * share.y);
 }
 
-// The relief at p, in units of the material; dx and dy are the steps to the next pixels. `body` is 0 for the plane z = 0, 1 for a
-// sphere and 2 for a torus. A sphere has the material on two hemispheres, of which one faces the camera's first place; a torus has it
-// along its angles. Where charts meet, the higher one covers the other along a ragged line. Of `lost`, only the sum of xx
-// and yy is right. The loop keeps compilers from inlining the material more than once.
+// The relief at p, in units of the material; dx and dy are the steps to the next pixels. `body` is 0 for the plane z = 0,
+// 1 for a sphere and 2 for a torus. A sphere has the material on two hemispheres, of which one faces the camera's first
+// place; a torus has it along its angles. Where charts meet, the higher one covers the other along a ragged line. Of
+// `lost`, only the sum of xx and yy is right. The loop keeps compilers from inlining the material more than once.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, int body) {
     vec2 outward = p.xy / max(length(p.xy), 1.0e-6);
     float unit = body == 1 ? length(p) : length(p.xy) / (torus_ring + torus_tube * dot(normal.xy, outward));
@@ -64,9 +64,9 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, int body) {
     for (int i = 0; i < charts; ++i) {
         Chart chart = Chart(p.xy, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), 1.0);
         if (body == 1) { // the middle of the front is 30 degrees above the equator
-            vec3 side = vec3(i == 0 ? 1.0 : -1.0, 0.0, 0.0);
-            chart = chart_of_hemisphere(normal, unit, side.x * vec3(0.0, -0.8660254, 0.5), side, vec3(0.0, -0.5, -0.8660254), side.x * tear,
-                                        margin);
+            float side = i == 0 ? 1.0 : -1.0;
+            chart = chart_of_hemisphere(normal, unit, side * vec3(0.0, -0.8660254, 0.5), vec3(side, 0.0, 0.0),
+                                        vec3(0.0, -0.5, -0.8660254), side * tear, margin);
             chart.at += vec2(64.0 * float(i));
         } else if (body == 2) {
             chart = chart_of_torus(p, normal, unit, bvec2(i % 2 == 1, i > 1), tear, margin);
@@ -82,7 +82,8 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, int body) {
         m.roughness += share * there.roughness;
         m.metalness += share * there.metalness;
         slope += share * (there.slope.x * chart.right + there.slope.y * chart.down);
-        m.lost.x += share * dot(there.lost, vec3(dot(chart.right, chart.right), dot(chart.down, chart.down), 2.0 * dot(chart.right, chart.down)));
+        m.lost.x += share * dot(there.lost, vec3(dot(chart.right, chart.right), dot(chart.down, chart.down),
+                                                 2.0 * dot(chart.right, chart.down)));
     }
     m.colour /= whole;
     m.height /= whole;

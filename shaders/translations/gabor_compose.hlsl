@@ -130,8 +130,8 @@ GaborCoat GaborCoat_of(float3 coat_colour, float roughness, float level, float v
 // GaborMaterial gabor_coated(GaborMaterial material, float2 p, float2 period, float2 to_edge, GaborCoat coat, uint seed)
 // GaborMaterial gabor_coated_filtered(GaborMaterial material, float2 p, float2 dx, float2 dy, float2 period, float2 to_edge,
 //                                     GaborCoat coat, uint seed)
-//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or float2(1000.0) without edges. After
-//     gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
+//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or float2(1000.0) without edges.
+//     After gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
@@ -248,7 +248,8 @@ GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards b
     float joint = board.joint_cover.x, free = 1.0 - joint;
     float2 back = float2(board.rotation.x, -board.rotation.y);
     float3 grey = (float3)(dot(material.colour, float3(0.2126, 0.7152, 0.0722)));
-    float3 colour = board.shade * lerp(grey, material.colour, 1.0 + 2.0 * board.tint.y) * exp(board.tint.x * gabor_impl_hue());
+    float3 colour = board.shade * exp(board.tint.x * gabor_impl_hue())
+                * lerp(grey, material.colour, 1.0 + 2.0 * board.tint.y);
     return GaborMaterial_of(lerp(clamp(colour, 0.0, 1.0), boards.joint_colour, joint),
                          free * material.height - joint * boards.joint_depth,
                          free * gabor_impl_product(material.slope, board.rotation)

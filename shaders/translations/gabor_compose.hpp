@@ -115,8 +115,8 @@ struct GaborCoat {
 // GaborMaterial gabor_coated(GaborMaterial material, vec2 p, vec2 period, vec2 to_edge, GaborCoat coat, uint seed)
 // GaborMaterial gabor_coated_filtered(GaborMaterial material, vec2 p, vec2 dx, vec2 dy, vec2 period, vec2 to_edge,
 //                                     GaborCoat coat, uint seed)
-//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2(1000.0) without edges. After
-//     gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
+//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2(1000.0) without edges.
+//     After gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
@@ -225,7 +225,8 @@ GABOR_INLINE GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, 
     float joint = board.joint_cover.x, free = 1.0f - joint;
     gabor_vec2 back = gabor_vec2(board.rotation.x, -board.rotation.y);
     gabor_vec3 grey = gabor_vec3(gabor_cpp_dot(material.colour, gabor_vec3(0.2126f, 0.7152f, 0.0722f)));
-    gabor_vec3 colour = board.shade * gabor_cpp_mix(grey, material.colour, 1.0f + 2.0f * board.tint.y) * gabor_cpp_exp(board.tint.x * gabor_impl_hue());
+    gabor_vec3 colour = board.shade * gabor_cpp_exp(board.tint.x * gabor_impl_hue())
+                * gabor_cpp_mix(grey, material.colour, 1.0f + 2.0f * board.tint.y);
     return GaborMaterial{gabor_cpp_mix(gabor_cpp_clamp(colour, 0.0f, 1.0f), boards.joint_colour, joint),
                          free * material.height - joint * boards.joint_depth,
                          free * gabor_impl_product(material.slope, board.rotation)

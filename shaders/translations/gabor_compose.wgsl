@@ -95,8 +95,8 @@ struct GaborCoat {
 // fn gabor_coated(material: GaborMaterial, p: vec2f, period: vec2f, to_edge: vec2f, coat: GaborCoat, seed: u32) -> GaborMaterial
 // fn gabor_coated_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, vec2f to_edge, -> GaborMaterial
 //                                     GaborCoat coat, u32 seed)
-//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2f(1000.0) without edges. After
-//     gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
+//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2f(1000.0) without edges.
+//     After gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
 
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
@@ -207,7 +207,8 @@ fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -
     let joint = board.joint_cover.x; let free = 1.0 - joint;
     let back = vec2f(board.rotation.x, -board.rotation.y);
     let grey = vec3f(dot(material.colour, vec3f(0.2126, 0.7152, 0.0722)));
-    let colour = board.shade * mix(grey, material.colour, 1.0 + 2.0 * board.tint.y) * exp(board.tint.x * gabor_impl_hue());
+    let colour = board.shade * exp(board.tint.x * gabor_impl_hue())
+                * mix(grey, material.colour, 1.0 + 2.0 * board.tint.y);
     return GaborMaterial(mix(clamp(colour, vec3f(0.0), vec3f(1.0)), boards.joint_colour, joint),
                          free * material.height - joint * boards.joint_depth,
                          free * gabor_impl_product(material.slope, board.rotation)

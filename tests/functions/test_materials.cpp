@@ -93,9 +93,9 @@ GaborMaterial with_coat(Vec2 p, Vec2 dx, Vec2 dy, bool paint, unsigned seed) {
     coat.level = paint ? 0.03f : 0.0f;
     coat.raggedness = paint ? 0.4f : 0.1f;
     const Vec2 to_edge = paint ? board.to_edge : Vec2(1000);
-    return dx.x > 0
-               ? gabor_coated_filtered(gabor_strata_filtered(p, dx, dy, seed), p, dx, dy, Vec2(0), to_edge, coat, seed)
-               : gabor_coated(gabor_strata(p, seed), p, Vec2(0), to_edge, coat, seed);
+    return dx.x > 0 ? gabor_coated_filtered(gabor_strata_filtered(p, dx, dy, seed), p, dx, dy, Vec2(0),
+                                            to_edge, coat, seed)
+                    : gabor_coated(gabor_strata(p, seed), p, Vec2(0), to_edge, coat, seed);
 }
 
 // A material that a mask raises, with the mask's gradient.
@@ -165,7 +165,9 @@ const std::vector<Material> combined{
      {},
      {},
      [](Vec2 p, const Numbers&, unsigned seed) { return with_coat(p, Vec2(0), Vec2(0), true, seed); },
-     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) { return with_coat(p, dx, dy, true, seed); }},
+     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) {
+         return with_coat(p, dx, dy, true, seed);
+     }},
     {"buried",
      1e-4f,
      0.03,
@@ -173,7 +175,9 @@ const std::vector<Material> combined{
      {},
      {},
      [](Vec2 p, const Numbers&, unsigned seed) { return with_coat(p, Vec2(0), Vec2(0), false, seed); },
-     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) { return with_coat(p, dx, dy, false, seed); }},
+     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) {
+         return with_coat(p, dx, dy, false, seed);
+     }},
     {"covered",
      1e-4f,
      0.03,
@@ -292,7 +296,8 @@ TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]
         }
 }
 
-// Over a flat material, the coat's surface is normal with the deviation `variation`, and soft by 0.3 of the thickness.
+// Over a flat material, the coat's surface is normal with the deviation `variation`, and soft by 0.3 of the
+// thickness.
 TEST_CASE("a coat covers the share of a flat material that its level asks for, near and far", "[materials]") {
     const GaborMaterial flat{gabor_vec3(0), 0, Vec2(0), 0.2f, 1, gabor_vec3(0)};
     for (const float level : {-0.03f, 0.0f, 0.05f})
@@ -308,10 +313,10 @@ TEST_CASE("a coat covers the share of a flat material that its level asks for, n
             for (int i = 0; i < points; ++i) {
                 const Vec2 p = random.uniform<Vec2>(0, 100);
                 const auto seed = random.word();
-                const GaborMaterial m =
-                    pixel > 0 ? gabor_coated_filtered(flat, p, Vec2(pixel, 0), Vec2(0, pixel), Vec2(0),
-                                                      Vec2(1000), coat, seed)
-                              : gabor_coated(flat, p, Vec2(0), Vec2(1000), coat, seed);
+                const GaborMaterial m = pixel > 0
+                                            ? gabor_coated_filtered(flat, p, Vec2(pixel, 0), Vec2(0, pixel),
+                                                                    Vec2(0), Vec2(1000), coat, seed)
+                                            : gabor_coated(flat, p, Vec2(0), Vec2(1000), coat, seed);
                 share += wide(m.colour.x) / points;
                 metal += wide(m.metalness) / points;
                 REQUIRE(m.height >= 0);

@@ -282,7 +282,8 @@ std::vector<Parameter> noise_rows() {
             "materials boards` lists the options of boards",
             in_request(&Request::boards)),
         row("coat", Type::flag, "", none, none, scopes::material,
-            "Coat the material with paint that wears and chips, or with sand, moss or snow that fills hollows. "
+            "Coat the material with paint that wears and chips, or with sand, moss or snow that fills "
+            "hollows. "
             "`gabor materials coat` lists the options of coats",
             in_request(&Request::coat)),
         row("finish", Type::flag, "", none, none, scopes::material,
@@ -775,7 +776,8 @@ void set(Request& request, const Values& values, std::string (*called)(const Par
     for (const int rank : {0, 1, 2})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter& p = *named.first;
-            const bool of_material = p.name == "boards" || p.name == "coat" || p.name == "finish"; // which comes before these
+            const bool of_material =
+                p.name == "boards" || p.name == "coat" || p.name == "finish"; // which comes before these
             if (rank != (of_material ? 1 : decides(p) ? 0 : 2))
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
