@@ -849,7 +849,7 @@ fn gabor_impl_twill(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborImplPixel, count: vec2f, seed: u32) -> GaborImplLayer {
-    return gabor_impl_spots_layer(cloth, select(vec2f(0.6, 40.0), vec2f(40.0, 0.6), i == 0) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, select(vec2f(0.6, 32.0), vec2f(32.0, 0.6), i == 0) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
@@ -878,7 +878,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
         let wave = vec2f(cos(3.1415927 * along.x), sin(3.1415927 * along.x)); // pi
         var bulge = vec3f(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * select(weft, warp, first);
-        bulge = 0.16 * bulge + 0.004 * select(of_.pair_1.first, of_.pair_0.first, first);
+        bulge = 0.16 * bulge + 0.0035 * select(of_.pair_1.first, of_.pair_0.first, first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
@@ -886,7 +886,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
     // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(&height, &lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3f(count * count, 0.0));
     colour = mix(0.3221275 * (warp + weft), colour / f32(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
-    lost = unit * unit * (lost + 8.0e-6 * (of_.pair_0.lost + of_.pair_1.lost));
+    lost = unit * unit * (lost + 6.125e-6 * (of_.pair_0.lost + of_.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
@@ -1026,12 +1026,14 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborIm
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
     var width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
     var strength = marble.vein_strength * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);
-    // The second noise widens a vein by exp(0.8 noise); so weighted, its removed part has a mean of 0.8 times its
+    let threshold = select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4);
+    let open = gabor_impl_above(vein.second, vein.removed, threshold, 0.5).x;
+    // The second noise widens the core by exp(0.8 noise); so weighted, its removed part has a mean of 0.8 times its
     // variance.
+    width.y *= 0.6 * exp(min(0.8 * vein.second.x, 2.4) + 0.32 * vein.removed); // 0.8^2 / 2
     let weighted = vein.second + vec3f(0.8 * vein.removed, 0.0, 0.0);
-    let open = gabor_impl_above(weighted, vein.removed, select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4), 0.5).x;
-    width *= 0.5 * exp(0.8 * vein.second.x + 0.32 * vein.removed); // 0.8^2 / 2
-    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    strength.y *= gabor_impl_above(weighted, vein.removed, threshold, 0.5).x
+                * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
     let halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
     let core = mix(marble.stone_colour, marble.vein_colour, select(select(select(0.45, 0.65, i == 6), 1.0, i == 5), 0.9, i == 4));
