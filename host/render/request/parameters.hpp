@@ -91,8 +91,8 @@ std::string accepted(const Parameter& parameter);
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
-/// Tells whether other parameters exist or not depending on this one: view, material, boards, coat, finish and
-/// lobes.
+/// Tells whether other parameters exist or not depending on this one: view, material, boards, coat, finish
+/// and lobes.
 bool decides(const Parameter& parameter);
 
 /// Sets values. Starts with those that decide what other parameters exist. Throws
