@@ -75,7 +75,7 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, int body) {
             continue;
         GaborMaterial there = material_at(chart.at, vec2(dot(dx, chart.right), dot(dx, chart.down)),
                                           vec2(dot(dy, chart.right), dot(dy, chart.down)));
-        float share = chart.share * exp(clamp(400.0 * there.height, -20.0, 20.0));
+        float share = body == 0 ? 1.0 : chart.share * exp(clamp(400.0 * there.height, -20.0, 20.0));
         whole += share;
         m.colour += share * there.colour;
         m.height += share * there.height;
