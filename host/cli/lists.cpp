@@ -84,7 +84,7 @@ void add_devices_command(CLI::App& app) {
 void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand(
-        "materials", "List the materials, or the options of one, of boards, a coat or a finish");
+        "materials", "List materials, or the options of one, of boards, a coat or a finish");
     add_option(*command, "MATERIAL", *name, "",
                fmt::format("{}, boards, coat or finish", fmt::join(render::materials, ", ")));
     command->callback([name] {
