@@ -801,7 +801,9 @@ GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, vec2 count, GaborFabric fa
         vec3(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) mean = vec3(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37);
     gabor_impl_average(height, lost, samples, kept, mean.y, vec3(mean.z * count * count, 0.0));
-    colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), kept);
+    float bare = fabric.cords > 0.0 ? 0.12 : 1.0; // pile hides the weave of corduroy
+    colour = mix(0.5 * mean.x * (warp + weft), colour / float(samples), bare * kept);
+    unit *= bare;
     height *= unit;
     lost = unit * unit * (lost + 0.0006125 * (of.pair_2.lost + of.pair_3.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
@@ -838,7 +840,7 @@ GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, uint seed) {
 
 // The fibres of tows along y and x.
 GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, vec2 count, uint seed) {
-    return gabor_impl_spots_layer(cloth, (i == 0 ? vec2(20.0, 0.6) : vec2(0.6, 20.0)) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, (i == 0 ? vec2(32.0, 0.6) : vec2(0.6, 32.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
@@ -867,7 +869,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
         vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x)); // pi
         vec3 bulge = vec3(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * (first ? warp : weft);
-        bulge = 0.16 * bulge + 0.006 * (first ? of.pair_0.first : of.pair_1.first);
+        bulge = 0.16 * bulge + 0.0035 * (first ? of.pair_0.first : of.pair_1.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
@@ -875,7 +877,7 @@ GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, vec2 count, GaborCar
     // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(height, lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3(count * count, 0.0));
     colour = mix(0.3221275 * (warp + weft), colour / float(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
-    lost = unit * unit * (lost + 1.8e-5 * (of.pair_0.lost + of.pair_1.lost));
+    lost = unit * unit * (lost + 6.125e-6 * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
@@ -1015,8 +1017,14 @@ GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair cloud, GaborIm
 void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborImplPair vein) {
     vec2 width = i == 4 ? vec2(0.25, 0.035) : i == 5 ? vec2(0.35, 0.05) : vec2(1.0, i == 6 ? 0.04 : 0.05);
     vec2 strength = marble.vein_strength * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));
-    float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
-    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    float threshold = i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1;
+    float open = gabor_impl_above(vein.second, vein.removed, threshold, 0.5).x;
+    // The second noise widens the core by exp(0.8 noise); so weighted, its removed part has a mean of 0.8 times its
+    // variance.
+    width.y *= 0.6 * exp(min(0.8 * vein.second.x, 2.4) + 0.32 * vein.removed); // 0.8^2 / 2
+    vec3 weighted = vein.second + vec3(0.8 * vein.removed, 0.0, 0.0);
+    strength.y *= gabor_impl_above(weighted, vein.removed, threshold, 0.5).x
+                * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
     vec3 halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
     vec3 core = mix(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);

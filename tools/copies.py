@@ -97,7 +97,7 @@ def with_members(presets, pattern):
 def data(of_materials, of_boards, of_erosion):
     """Returns the page's JSON: the controls of materials, boards and erosion, and the program's presets of materials and places."""
     presets = {path.stem: json.loads(path.read_text()) for path in sorted((ROOT / "host" / "render" / "request" / "presets").glob("*.json"))}
-    materials = with_members({name: preset for name, preset in presets.items() if "material" in preset}, r"material|seed|boards|finish|.*\.")
+    materials = with_members({name: preset for name, preset in presets.items() if "material" in preset}, r"material|seed|boards|coat|finish|.*\.")
     places = {view: with_members({name: preset for name, preset in presets.items() if preset.get("view") == view}, "(?!view|width|height)")
               for view in ("landscape", "ocean")}
     parts = {"presets": materials, **places}

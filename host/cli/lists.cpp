@@ -56,15 +56,18 @@ void print_recipes(bool as_json) {
 
 void print_material(const std::string& text) {
     std::vector<std::string_view> names(render::materials.begin(), render::materials.end());
-    names.insert(names.end(), {"boards", "finish"});
+    names.insert(names.end(), {"boards", "coat", "finish"});
     const std::string name(in_any_case(text, names));
     if (std::ranges::find(names, name) == names.end())
         throw RequestError(fmt::format("MATERIAL '{}': {}", text, expected(text, names)));
     using enum render::Parameter::Group;
-    const auto group = name == "boards" ? boards : name == "finish" ? finish : material;
+    const auto group = name == "boards"   ? boards
+                       : name == "coat"   ? coat
+                       : name == "finish" ? finish
+                                          : material;
     render::Request request;
     render::set(request, "material", group == material ? name : "wood");
-    request.boards = request.finish = true;
+    request.boards = request.coat = request.finish = true;
     for (const render::Parameter& p : render::parameters())
         if (p.group == group && p.scope.holds(request))
             fmt::print("{:<32}{}: {} [{}]\n", render::option_name(p), p.help, render::accepted(p),
@@ -81,9 +84,9 @@ void add_devices_command(CLI::App& app) {
 void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand(
-        "materials", "List the materials, or the options of one, of boards or of finishes");
+        "materials", "List materials, or the options of one, of boards, a coat or a finish");
     add_option(*command, "MATERIAL", *name, "",
-               fmt::format("{}, boards or finish", fmt::join(render::materials, ", ")));
+               fmt::format("{}, boards, coat or finish", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())
             print_material(*name);

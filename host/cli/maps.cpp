@@ -116,11 +116,10 @@ terrain's erosion.
                                        {"", Group::erosion},
                                        {"", Group::material},
                                        {"", Group::boards},
+                                       {"", Group::coat},
                                        {"", Group::finish}})
         add_group(*command, *options, title, group,
-                  group == Group::material || group == Group::boards || group == Group::finish
-                      ? nullptr
-                      : changes_maps);
+                  *title || group == Group::erosion ? changes_maps : nullptr);
     command->get_option("--view")->description("flat for a material, or terrain [flat]");
     command->callback([options] { render_maps(*options); });
 }

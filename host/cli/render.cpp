@@ -187,8 +187,9 @@ terrain's erosion. --no-FLAG turns off a flag of the noise or the view, as in --
     add_elevation_option(*command, options->elevation, "the full possible range");
     add_full_range_option(*command, options->full_range);
     parameters("Ocean", render::Parameter::Group::sea);
-    for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material,
-                             render::Parameter::Group::boards, render::Parameter::Group::finish})
+    for (const auto group :
+         {render::Parameter::Group::erosion, render::Parameter::Group::material,
+          render::Parameter::Group::boards, render::Parameter::Group::coat, render::Parameter::Group::finish})
         parameters("", group); // `gabor erode` and `gabor materials` list them
     for (const auto& [name, other] :
          {std::pair("--maps", "maps"), {"--texture", "texture"}, {"--level", "texture"}})

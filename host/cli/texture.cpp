@@ -93,6 +93,7 @@ Example:
                                        {"View and light", Group::light},
                                        {"", Group::material},
                                        {"", Group::boards},
+                                       {"", Group::coat},
                                        {"", Group::finish}})
         add_group(*command, *options, title, group, *title ? changes_textures : nullptr);
     command->get_option("--view")->description(

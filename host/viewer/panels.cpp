@@ -197,6 +197,8 @@ void material_panel(Session& session) {
     controls(session, {"scale", "seed"});
     control(session, "boards");
     controls_of(session, render::Parameter::Group::boards);
+    control(session, "coat");
+    controls_of(session, render::Parameter::Group::coat);
     control(session, "finish");
     controls_of(session, render::Parameter::Group::finish);
 }

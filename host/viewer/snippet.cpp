@@ -252,7 +252,12 @@ std::string material_function(const View& view) {
                             : "gabor_{0}_at({1}{4}, {2}, m, {1}{3})",
              function, boards ? "board." : "", boards ? "vec2(0.0)" : tile, boards ? "seed" : seed,
              boards ? "position" : "p");
-    const std::string laid = boards ? glsl("gabor_laid({}, board, boards)", material) : material;
+    std::string laid = boards ? glsl("gabor_laid({}, board, boards)", material) : material;
+    if (request.coat)
+        laid = glsl(request.filter ? "gabor_coated_filtered({}, p, dx, dy, {}, {}, coat, {})"
+                                   : "gabor_coated({}, p, {}, {}, coat, {})",
+                    laid, tile, boards ? "board.to_edge" : "vec2(1000.0)",
+                    boards ? glsl("coat.edge_wear > 0.0 ? board.seed : {}", seed) : seed);
     return glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
                 "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = "
                 "gabor_{}_default();\n{}",
@@ -262,6 +267,9 @@ std::string material_function(const View& view) {
                            "    GaborBoard board = gabor_board(p, {}, {}, boards, {});\n",
                            members_of(view, render::Parameter::Group::boards, "boards"),
                            request.filter ? "dx, dy" : "vec2(0.0), vec2(0.0)", tile, seed)) +
+           (!request.coat ? ""
+                          : glsl("    GaborCoat coat = gabor_coat_default();\n{}",
+                                 members_of(view, render::Parameter::Group::coat, "coat"))) +
            (!request.finish ? ""
                             : glsl("    GaborFinish finish = gabor_finish_default();\n{}",
                                    members_of(view, render::Parameter::Group::finish, "finish"))) +
@@ -288,13 +296,16 @@ std::string material_snippet(const View& view) {
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
     return includes({"noise", "spectrum", "fractal", "materials",
-                     view.request.boards || view.request.finish ? "compose" : ""}) +
+                     view.request.boards || view.request.coat || view.request.finish ? "compose" : ""}) +
            material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
                 "{}{}    Axes axes = {};\n    Sample here = sample_at({}, {}, axes);\n    return {};\n}}\n",
                 head(view, "vec3 colour"), below_horizon(view, sky), axes_of(view, push.yaw, push.pitch),
-                point, view.in_space(),
+                point,
+                !view.in_space()                                             ? 0
+                : view.request.view.projection == render::Projection::sphere ? 1
+                                                                             : 2,
                 glsl(looks_as.at(static_cast<std::size_t>(view.look)), view.display.lamp, view.shows_body(),
                      view.display.contrast, view.display.green));
 }

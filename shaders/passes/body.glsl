@@ -20,6 +20,10 @@ float distance_to_torus(vec3 p) {
     return length(vec2(length(p.xy) - torus_large, p.z)) - torus_small;
 }
 
+float distance_to_body(vec3 p) {
+    return view == view_sphere ? length(p) - 1.0 : distance_to_torus(p);
+}
+
 vec3 torus_normal(vec3 p) {
     return normalize(p - vec3(torus_large * normalize(p.xy), 0.0));
 }
@@ -113,4 +117,35 @@ Seen seen_at(vec2 corner, Axes axes) {
     dx -= dot(dx, hit.normal) / facing * ray;
     dy -= dot(dy, hit.normal) / facing * ray;
     return Seen(hit.found, coverage, hit.p, hit.normal, dx, dy);
+}
+
+// The floor below a body where the ray through a pixel meets it: how much of the sky and of the lamp's light the body
+// leaves, and how much the floor differs from the backdrop there.
+struct Floor {
+    float open;
+    float lamp_open;
+    float near;
+};
+
+// `toward_lamp` is the direction to the lamp, in space.
+Floor floor_at(vec2 at, vec3 toward_lamp, Axes axes) {
+    vec3 eye = eye_distance * axes.toward_eye, ray = ray_of(at, axes);
+    float level = view == view_sphere ? -1.0 : -torus_small, t = (level - eye.z) / ray.z;
+    Floor seen = Floor(1.0, 1.0, 0.0);
+    if (t <= 0.0 || ray.z >= 0.0)
+        return seen;
+    vec3 p = eye + t * ray;
+    seen.near = exp(-0.3 * dot(p.xy, p.xy));
+    float far = 0.06;
+    for (int i = 0; i < 5; ++i, far *= 1.8) // Evans, Fast approximations for global illumination on dynamic scenes, 2006
+        seen.open -= 0.35 * (1.0 - clamp(distance_to_body(p + vec3(0.0, 0.0, far)) / far, 0.0, 1.0));
+    seen.open = max(seen.open, 0.1);
+    far = 0.02;
+    for (int j = 0; j < 24; ++j) { // the narrowest cone towards the lamp that the body leaves
+        float gap = distance_to_body(p + far * toward_lamp);
+        seen.lamp_open = min(seen.lamp_open, 0.5 + 2.5 * gap / far);
+        far += clamp(gap, 0.03, 0.4);
+    }
+    seen.lamp_open = smoothstep(0.0, 1.0, seen.lamp_open);
+    return seen;
 }

@@ -49,10 +49,11 @@ const uint narrow_waves_id = 27;
 const uint wide_waves_id = 28;
 
 // passes/material.comp: what surrounds the material, whether it is laid as boards, and whether it has a
-// finish
+// finish and a coat
 const uint environment_id = 29;
 const uint boards_id = 30;
 const uint finish_id = 31;
+const uint coat_id = 37;
 
 // passes/fractal.comp: members of GaborFractal, and whether a warp moves the noise
 const uint basis_id = 32;
@@ -64,9 +65,9 @@ const uint cover_id = 35;
 const uint lakes_id = 36;
 
 // passes/material.comp and passes/terrain.comp: whether the channels of light are left as they are
-const uint unlit_id = 37;
+const uint unlit_id = 38;
 
-const uint constant_count = 38;
+const uint constant_count = 39;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

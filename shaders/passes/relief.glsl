@@ -7,46 +7,90 @@ struct Relief {
     vec3 slope;
 };
 
-// A plane in space, covered with the material. `origin` is the position of the plane's origin on the material. It differs
-// between planes, because they would otherwise mirror each other where they meet.
-struct Plane {
+// How the material lies on a surface at a point: which point of the material is there, the gradients in space of that point's
+// coordinates, and how much of the material here lies in this way.
+struct Chart {
+    vec2 at;
     vec3 right;
     vec3 down;
-    vec2 origin;
+    float share;
 };
 
-Plane plane_along(int axis) {
-    return Plane(axis == 0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
-                 axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0), vec2(64.0 * float(2 - axis)));
+const float torus_ring = 0.68; // as in body.glsl
+const float torus_tube = 0.3;
+
+// The hemisphere around `middle`, which has coordinates that keep the distance from there.
+Chart chart_of_hemisphere(vec3 normal, float unit, vec3 middle, vec3 right, vec3 down, float tear, float margin) {
+    float cosine = dot(normal, middle);
+    vec2 flat_at = vec2(dot(normal, right), dot(normal, down));
+    float sine = max(length(flat_at), 1.0e-3), stretch = atan(sine, cosine) / sine;
+    vec3 outward = (1.0 - stretch * cosine) / (sine * sine) * (normal * cosine - middle); // the gradient of `stretch`
+    return Chart(unit * stretch * flat_at, stretch * (right - normal * flat_at.x) + flat_at.x * outward,
+                 stretch * (down - normal * flat_at.y) + flat_at.y * outward,
+                 smoothstep(-margin, margin, unit * cosine + tear));
 }
 
-vec2 on_plane(vec3 v, Plane plane) {
-    return vec2(dot(v, plane.right), dot(v, plane.down));
+// A torus's angles, from its front and its outer side on, or a turn away where that is nearer.
+Chart chart_of_torus(vec3 p, vec3 normal, float unit, bvec2 turned, float tear, float margin) {
+    float axis_distance = length(p.xy);
+    vec2 outward = p.xy / axis_distance;
+    vec2 angle = vec2(atan(p.x, -p.y), atan(-normal.z, dot(normal.xy, outward))), away = 3.1415927 - abs(angle); // pi
+    vec2 arc = unit * vec2(torus_ring, torus_tube), share = 0.5 + 0.5 * smoothstep(vec2(0.0), vec2(margin), arc * away + tear);
+    if (turned.x) {
+        angle.x -= angle.x < 0.0 ? -6.2831853 : 6.2831853; // 2 pi
+        share.x = 1.0 - share.x;
+    }
+    if (turned.y) {
+        angle.y -= angle.y < 0.0 ? -6.2831853 : 6.2831853; // 2 pi
+        share.y = 1.0 - share.y;
+    }
+    vec3 right = vec3(-outward.y, outward.x, 0.0);
+    return Chart(arc * angle, unit * torus_ring / axis_distance * right, cross(normal, right), share.x * share.y);
 }
 
-// The relief at p, in units of the material; dx and dy are the steps to the next pixels. For a body, the material is projected
-// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Of `lost`, only
-// the sum of xx and yy is right. The loop keeps compilers from inlining the material three times.
-Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
-    vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
-    facing /= facing.x + facing.y + facing.z;
+// The relief at p, in units of the material; dx and dy are the steps to the next pixels. `body` is 0 for the plane z = 0,
+// 1 for a sphere and 2 for a torus. A sphere has the material on two hemispheres, of which one faces the camera's first
+// place; a torus has it along its angles. Where charts meet, the higher one covers the other along a ragged line. Of
+// `lost`, only the sum of xx and yy is right. The loop keeps compilers from inlining the material more than once.
+Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, int body) {
+    vec2 outward = p.xy / max(length(p.xy), 1.0e-6);
+    float unit = body == 1 ? length(p) : length(p.xy) / (torus_ring + torus_tube * dot(normal.xy, outward));
+    float margin = min(0.1, 0.2 * unit);
+    float tear = body == 0 ? 0.0 : 0.5 * margin * gabor_noise(3.0 * (p.xy + vec2(0.6, -0.5) * p.z), 1.0, 0.8, 77u);
     GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     vec3 slope = vec3(0.0);
-    for (int axis = body ? 0 : 2; axis < 3; ++axis) {
-        float share = facing[axis];
-        if (share < 0.01)
+    float whole = 0.0;
+    int charts = body == 0 ? 1 : body == 1 ? 2 : 4;
+    for (int i = 0; i < charts; ++i) {
+        Chart chart = Chart(p.xy, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), 1.0);
+        if (body == 1) { // the middle of the front is 30 degrees above the equator
+            float side = i == 0 ? 1.0 : -1.0;
+            chart = chart_of_hemisphere(normal, unit, side * vec3(0.0, -0.8660254, 0.5), vec3(side, 0.0, 0.0),
+                                        vec3(0.0, -0.5, -0.8660254), side * tear, margin);
+            chart.at += vec2(64.0 * float(i));
+        } else if (body == 2) {
+            chart = chart_of_torus(p, normal, unit, bvec2(i % 2 == 1, i > 1), tear, margin);
+        }
+        if (chart.share < 0.01)
             continue;
-        Plane plane = plane_along(axis);
-        GaborMaterial there = material_at(plane.origin + on_plane(p, plane), on_plane(dx, plane), on_plane(dy, plane));
+        GaborMaterial there = material_at(chart.at, vec2(dot(dx, chart.right), dot(dx, chart.down)),
+                                          vec2(dot(dy, chart.right), dot(dy, chart.down)));
+        float share = body == 0 ? 1.0 : chart.share * exp(clamp(400.0 * there.height, -20.0, 20.0));
+        whole += share;
         m.colour += share * there.colour;
         m.height += share * there.height;
         m.roughness += share * there.roughness;
         m.metalness += share * there.metalness;
-        slope += share * (there.slope.x * plane.right + there.slope.y * plane.down);
-        vec2 n = on_plane(normal, plane); // slopes along the normal do not tilt the surface
-        m.lost.x += share * share * dot(there.lost, vec3(1.0 - n * n, -2.0 * n.x * n.y));
+        slope += share * (there.slope.x * chart.right + there.slope.y * chart.down);
+        m.lost.x += share * dot(there.lost, vec3(dot(chart.right, chart.right), dot(chart.down, chart.down),
+                                                 2.0 * dot(chart.right, chart.down)));
     }
-    return Relief(m, slope);
+    m.colour /= whole;
+    m.height /= whole;
+    m.roughness /= whole;
+    m.metalness /= whole;
+    m.lost.x /= whole;
+    return Relief(m, slope / whole);
 }
 
 // A point of the surface that a pixel shows, and how it is seen.
@@ -91,11 +135,11 @@ struct Sample {
     vec2 place;
 };
 
-// A shader should call this once: each call compiles the material again.
-Sample sample_at(SurfacePoint here, bool body, Axes axes) {
+// `body` is as in relief_at. A shader should call this once: each call compiles the material again.
+Sample sample_at(SurfacePoint here, int body, Axes axes) {
     Relief relief = relief_at(here.position, here.dx, here.dy, here.normal, body);
     Sample seen = Sample(relief.material, relief.slope, bumped_normal(here.normal, relief.slope), here.eye, here.place);
-    if (body) { // planes have the axes of the picture
+    if (body != 0) { // planes have the axes of the picture
         seen.slope = in_picture(seen.slope, axes);
         seen.normal = in_picture(seen.normal, axes);
     }

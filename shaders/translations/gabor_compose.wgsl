@@ -17,6 +17,7 @@
 //     edges and crests that are rubbed off   gabor_worn(coat, core, softness)
 //     more or less of it in places           add a mask to a material's height, and the mask's gradient to its slope
 //     no two objects alike                   another seed for each
+//     paint that wears, sand or moss on top  gabor_coated or, for a filtered material, gabor_coated_filtered
 //     uneven colour, gloss, dirt, dust       gabor_finished or, for a filtered material, gabor_finished_filtered
 //
 // The slope of the result remains the derivative of its height. gabor_board and gabor_laid together cost three quarters
@@ -37,6 +38,7 @@ struct GaborBoards {
     shade_variation: f32, // how much darker the darkest boards are than the material, 0 to 1
     joint_width: f32,     // width of the joints, in units, 0 to 0.2
     joint_depth: f32,     // depth of the joints below height 0, in units, 0 to 0.2
+    hue_variation: f32,   // how much the boards differ in hue and saturation, 0 to 0.5
 }
 
 // The board at a point.
@@ -47,7 +49,9 @@ struct GaborBoard {
     seed: u32,          // the board's own seed for its material
     rotation: vec2f,    // cosine and sine of its turn
     shade: f32,         // factor for its colours
+    tint: vec2f,        // shift of its hue, as the logarithm of red over green, and of its saturation
     joint_cover: vec3f, // how much of the pixel is a joint, and the derivatives of that along x and y
+    to_edge: vec2f,     // where the nearest edges across x and y are, seen from here, in units
 }
 
 // fn gabor_boards_default() -> GaborBoards
@@ -68,23 +72,49 @@ struct GaborBoard {
 // fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborMaterial
 //     The lower of two materials: a coat that is worn off where it stands out of the core.
 
+// ---- A coat --------------------------------------------------------------------------------------------------------
+
+// Paint, which follows the relief, wears off crests and edges, and chips; or sand, moss or snow, which fills hollows.
+// The coat's surface is at `level` and varies around it; where it would be thicker than `thickness`, it is as thick.
+struct GaborCoat {
+    coat_colour: vec3f, // colour of the coat
+    roughness: f32,     // roughness of the coat, 0 to 1
+    level: f32,         // height of the coat's surface, in units, -1 to 1
+    variation: f32,     // deviation of that height from place to place, in units, 0.0001 to 1
+    patch_size: f32,    // size of the places along x, in units, 0.05 to 10
+    patch_stretch: f32, // length of the places along y, relative to their size, 0.2 to 10
+    raggedness: f32,    // amplitude of finer places relative to coarser ones, 0 to 1: chips, or smooth drifts
+    thickness: f32,     // largest thickness of the coat, in units, 0.0002 to 1
+    edge_wear: f32,     // how much lower the coat's surface is at edges of boards, in units, 0 to 1
+    edge_width: f32,    // width of that wear, in units, 0.01 to 1
+}
+
+// fn gabor_coat_default() -> GaborCoat
+//     Paint that starts to chip.
+
+// fn gabor_coated(material: GaborMaterial, p: vec2f, period: vec2f, to_edge: vec2f, coat: GaborCoat, seed: u32) -> GaborMaterial
+// fn gabor_coated_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, vec2f to_edge, -> GaborMaterial
+//                                     GaborCoat coat, u32 seed)
+//     The material under a coat at p, plain or filtered. `to_edge` is GaborBoard's, or vec2f(1000.0) without edges.
+//     After gabor_laid, a coat with board.seed chips board by board, and a coat with one seed lies over all boards.
+
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
-// What time does to a material: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat
-// ground. And a grain, which is visible from 300 pixels per unit on.
+// Wear and dirt: brightness, hue and roughness differ from place to place, dirt lies low, dust on flat ground. And a
+// grain, which appears between 150 and 300 pixels per unit if it has the default size.
 struct GaborFinish {
     dirt_colour: vec3f,       // colour of the dirt
     dust_colour: vec3f,       // colour of the dust
     patch_size: f32,          // size of the patches that differ, in units, 0.1 to 10
     shade_variation: f32,     // variation of the brightness: the deviation of its logarithm, 0 to 0.5
-    hue_variation: f32,       // variation of the hue: the deviation of the logarithm of red over blue, 0 to 0.5
+    hue_variation: f32,       // variation of the hue: the deviation of the logarithm of red over green, 0 to 0.5
     roughness_variation: f32, // variation of the roughness: its deviation, 0 to 0.3
     dirt_amount: f32,         // share of the dirt where it is thickest, 0 to 1
     dirt_height: f32,         // height of half the dirt, in units, -1 to 1
     dirt_depth: f32,          // difference in height from most dirt to none, in units, 0.001 to 2
     dust_amount: f32,         // share of the dust where it is thickest, 0 to 1
     grain_size: f32,          // size of the grains along x, in units, 0.001 to 0.05
-    grain_stretch: f32,       // length of the grains along y, relative to their size, 1 to 50
+    grain_stretch: f32,       // length of the grains along y, relative to their size, 0.02 to 50
     grain_contrast: f32,      // contrast of the grains: the deviation of the logarithm of the brightness, 0 to 0.5
     grain_height: f32,        // deviation of the height by the grains, in units, 0 to 0.002
 }
@@ -104,7 +134,7 @@ struct GaborFinish {
 // ====================================================================================================================
 
 fn gabor_boards_default() -> GaborBoards {
-    return GaborBoards(vec3f(0.03, 0.02, 0.014), 0.5, 3.0, 0.38, 0.0, 0.3, 0.012, 0.012);
+    return GaborBoards(vec3f(0.03, 0.02, 0.014), 0.5, 3.0, 0.38, 0.0, 0.3, 0.012, 0.012, 0.1);
 }
 
 // The share of a joint, `gap` wide, at distance x from its middle, and its derivative along x. The joint's edges are
@@ -159,15 +189,27 @@ fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoard
     let along = gabor_impl_joints(local.y, size.y, boards.joint_width, wide.y);
     let free = 1.0 - vec2f(across.x, along.x); // of a joint along each axis
     let dark = 0.5 + mean * (f32(random >> 16u) / 65535.0 - 0.5);
+    let other = gabor_derived_seed(word, 2);
+    let tint = mean * boards.hue_variation * (vec2f(f32(other & 65535u), f32(other >> 16u)) / 32767.5 - 1.0);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
-                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark,
-                      vec3f(1.0 - free.x * free.y, free.y * across.y, free.x * along.y));
+                      gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark, tint,
+                      vec3f(1.0 - free.x * free.y, free.y * across.y, free.x * along.y),
+                      vec2f(select(1.0, -1.0, local.x < 0.0), select(1.0, -1.0, local.y < 0.0)) * (0.5 * size - abs(local)));
+}
+
+// How the logarithms of red, green and blue change with that of red over green, while the luminance of grey stays and
+// blue changes half as much as red.
+fn gabor_impl_hue() -> vec3f {
+    return vec3f(0.7419857, -0.2580143, 0.3709928); // 0.7152 / 0.9639, that minus 1, and its half
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {
     let joint = board.joint_cover.x; let free = 1.0 - joint;
     let back = vec2f(board.rotation.x, -board.rotation.y);
-    return GaborMaterial(mix(board.shade * material.colour, boards.joint_colour, joint),
+    let grey = vec3f(dot(material.colour, vec3f(0.2126, 0.7152, 0.0722)));
+    let colour = board.shade * exp(board.tint.x * gabor_impl_hue())
+                * mix(grey, material.colour, 1.0 + 2.0 * board.tint.y);
+    return GaborMaterial(mix(clamp(colour, vec3f(0.0), vec3f(1.0)), boards.joint_colour, joint),
                          free * material.height - joint * boards.joint_depth,
                          free * gabor_impl_product(material.slope, board.rotation)
                              - (material.height + boards.joint_depth) * board.joint_cover.yz,
@@ -193,6 +235,65 @@ fn gabor_worn(coat: GaborMaterial, core: GaborMaterial, softness: f32) -> GaborM
     return gabor_impl_outer(coat, core, softness, -1.0);
 }
 
+// ---- A coat --------------------------------------------------------------------------------------------------------
+
+fn gabor_coat_default() -> GaborCoat {
+    return GaborCoat(vec3f(0.09, 0.22, 0.24), 0.45, 0.05, 0.04, 0.4, 2.0, 0.6, 0.004, 0.06, 0.06);
+}
+
+// Three octaves of the places, each 2^2.5 times as fine.
+fn gabor_impl_coat_layer(i: i32, at: GaborImplPixel, coat: GaborCoat, seed: u32) -> GaborImplLayer {
+    let density = vec2f(1.0, 1.0 / coat.patch_stretch) / coat.patch_size * exp2(2.5 * f32(i));
+    let gain = coat.raggedness; let square = gain * gain;
+    let amplitude = select(select(square, gain, i == 1), 1.0, i == 0) * inverseSqrt(1.0 + square + square * square);
+    return GaborImplLayer(at, density, vec2f(0.0), amplitude, gabor_derived_seed(seed, 67 + i));
+}
+
+// The mean of max(x, 0) over a normal law with this mean and deviation, and the share above 0.
+fn gabor_impl_positive(mean: f32, deviation: f32) -> vec2f {
+    let x = mean / deviation; let share = gabor_impl_below(x);
+    return vec2f(mean * share + 0.39894228 * deviation * exp(-0.5 * min(x * x, 100.0)), share); // 1/sqrt(2 pi)
+}
+
+// The depth d of the coat's surface over the material has a mean and, over what the filter removed, a deviation. The
+// coat adds clamp(d, 0, thickness), so its slope is that of the coat's surface where d is between both.
+fn gabor_impl_coat(material: GaborMaterial, coat: GaborCoat, places: GaborImplPair, to_edge: vec2f, wide: f32) -> GaborMaterial {
+    let width = sqrt(coat.edge_width * coat.edge_width + wide);
+    let worn = coat.edge_wear * coat.edge_width / width * exp(-min(abs(to_edge) / width, vec2f(40.0)));
+    let outward = vec2f(select(1.0, -1.0, to_edge.x < 0.0), select(1.0, -1.0, to_edge.y < 0.0));
+    let depth = coat.level + coat.variation * places.second.x - worn.x - worn.y - material.height;
+    let surface = coat.variation * places.second.yz - outward * worn / width; let rise = surface - material.slope;
+    let soft = 0.3 * min(coat.thickness, 0.02); let removed = coat.variation * coat.variation * places.removed;
+    let deviation = sqrt(soft * soft + removed);
+    let above = gabor_impl_positive(depth, deviation);
+    let beyond = gabor_impl_positive(depth - coat.thickness, deviation);
+    let share = above.y - beyond.y;
+    let lost = mix(material.lost, coat.variation * coat.variation * places.lost, share)
+              + gabor_impl_above_variance(share, removed, soft) * gabor_impl_square(rise);
+    return GaborMaterial(mix(material.colour, coat.coat_colour, above.y), material.height + above.x - beyond.x,
+                         material.slope + share * rise, mix(material.roughness, coat.roughness, above.y),
+                         material.metalness * (1.0 - above.y), lost);
+}
+
+fn gabor_coated(material: GaborMaterial, p: vec2f, period: vec2f, to_edge: vec2f, coat: GaborCoat, seed: u32) -> GaborMaterial {
+    let at = gabor_impl_point(p, period);
+    var places = gabor_impl_no_pair();
+    for (var i = 0; i < 3; i++) {
+        places = gabor_impl_plus_octave(places, gabor_impl_coat_layer(i, at, coat, seed));
+    }
+    return gabor_impl_coat(material, coat, places, to_edge, 0.0);
+}
+
+fn gabor_coated_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, to_edge: vec2f,
+                         coat: GaborCoat, seed: u32) -> GaborMaterial {
+    let at = gabor_impl_pixel_of(true, p, dx, dy, period);
+    var places = gabor_impl_no_pair();
+    for (var i = 0; i < 3; i++) {
+        places = gabor_impl_plus_filtered_octave(places, gabor_impl_coat_layer(i, at, coat, seed));
+    }
+    return gabor_impl_coat(material, coat, places, to_edge, 0.25 * (dot(at.dx, at.dx) + dot(at.dy, at.dy)));
+}
+
 // ---- A finish ------------------------------------------------------------------------------------------------------
 
 fn gabor_finish_default() -> GaborFinish {
@@ -206,21 +307,13 @@ fn gabor_impl_finish_layer(i: i32, at: GaborImplPixel, finish: GaborFinish, seed
     return gabor_impl_spots_layer(at, vec2f(1.0, 1.0 / finish.grain_stretch) / finish.grain_size, seed, 66);
 }
 
-// A colour channel times the factors of mean 1 of `shade`, and of the hue with this weight.
-fn gabor_impl_tinted(colour: f32, shade: vec2f, hue: f32, removed: f32, contrast: f32) -> f32 {
-    return gabor_impl_toned(vec3f(colour), shade + gabor_impl_tone(hue, removed, contrast)).x;
-}
-
 // Patches: the first noise is the brightness, the second one the roughness and, with it, the hue.
 fn gabor_impl_finish(material: GaborMaterial, finish: GaborFinish, patches: GaborImplPair, grain: GaborImplPair) -> GaborMaterial {
     let shade = gabor_impl_tone(patches.first.x, patches.removed, finish.shade_variation)
                + gabor_impl_tone(grain.first.x, grain.removed, finish.grain_contrast);
-    // Red and blue change against each other, and green so that the luminance of grey stays:
-    // 0.19631 is (0.2126 - 0.0722) / 0.7152
-    let hue = patches.second.x; let red = 0.5 * finish.hue_variation;
-    let colour = vec3f(gabor_impl_tinted(material.colour.x, shade, hue, patches.removed, red),
-                       gabor_impl_tinted(material.colour.y, shade, hue, patches.removed, -0.19631 * red),
-                       gabor_impl_tinted(material.colour.z, shade, hue, patches.removed, -red));
+    let hue = finish.hue_variation * gabor_impl_hue();
+    let tint = hue * patches.second.x - 0.5 * (1.0 - patches.removed) * hue * hue; // of mean 1, as gabor_impl_tone
+    let colour = min(material.colour * exp(shade.x + 0.5 * shade.y + tint), vec3f(1.0));
     let roughness = material.roughness + finish.roughness_variation * patches.second.x;
     let dirt = finish.dirt_amount * clamp(0.5 + (finish.dirt_height - material.height) / finish.dirt_depth, 0.0, 1.0);
     // The mean of exp(-|slope|^2) over normal slopes whose covariance has the trace steep - 1.
@@ -244,6 +337,19 @@ fn gabor_finished(material: GaborMaterial, p: vec2f, period: vec2f, finish: Gabo
 fn gabor_finished_filtered(material: GaborMaterial, p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, finish: GaborFinish,
                            seed: u32) -> GaborMaterial {
     let at = gabor_impl_pixel_of(true, p, dx, dy, period);
+    let fine = gabor_impl_finish_layer(1, at, finish, seed);
+    // The grain fades in where pixels become smaller than it.
+    let steps = gabor_impl_radii(at, fine.density);
+    let visible = 1.0 - smoothstep(0.3, 1.0, sqrt(0.5 * dot(steps, steps)));
+    let whole = 3.2898681 * vec3f(fine.density * fine.density, 0.0); // pi^2 / 3
+    var grain = GaborImplPair(vec3f(0.0), vec3f(0.0), 1.0, whole);
+    let grains = select(0, 1, visible > 0.0);
+    for (var i = 0; i < grains; i++) { // a loop, because drivers for CPUs run both sides of a branch
+        grain = gabor_impl_filtered_spots(fine);
+        let share = visible * visible;
+        grain = GaborImplPair(visible * grain.first, visible * grain.second, 1.0 - share * (1.0 - grain.removed),
+                              whole - share * (whole - grain.lost));
+    }
     return gabor_impl_finish(material, finish, gabor_impl_filtered_spots(gabor_impl_finish_layer(0, at, finish, seed)),
-                             gabor_impl_filtered_spots(gabor_impl_finish_layer(1, at, finish, seed)));
+                             grain);
 }

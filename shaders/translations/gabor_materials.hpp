@@ -813,7 +813,9 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborImplPixel cloth, gabor_vec2 co
         gabor_vec3(0.8828f - 0.0056f * uneven * uneven, 0.0406f + 0.0025f * uneven * uneven, 0.29f); // light, height, slope
     if (fabric.weave >= 0.5f) mean = gabor_vec3(0.91f - uneven * (0.0105f + 0.0045f * uneven), 0.0655f, 0.37f);
     gabor_impl_average(height, lost, samples, kept, mean.y, gabor_vec3(mean.z * count * count, 0.0f));
-    colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), kept);
+    float bare = fabric.cords > 0.0f ? 0.12f : 1.0f; // pile hides the weave of corduroy
+    colour = gabor_cpp_mix(0.5f * mean.x * (warp + weft), colour / float(samples), bare * kept);
+    unit *= bare;
     height *= unit;
     lost = unit * unit * (lost + 0.0006125f * (of.pair_2.lost + of.pair_3.lost));
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
@@ -850,7 +852,7 @@ GABOR_INLINE GaborImplPixel gabor_impl_twill(GaborImplPixel pixel, std::uint32_t
 
 // The fibres of tows along y and x.
 GABOR_INLINE GaborImplLayer gabor_impl_tow_layer(int i, GaborImplPixel cloth, gabor_vec2 count, std::uint32_t seed) {
-    return gabor_impl_spots_layer(cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, (i == 0 ? gabor_vec2(32.0f, 0.6f) : gabor_vec2(0.6f, 32.0f)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
@@ -879,7 +881,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
         gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x)); // pi
         gabor_vec3 bulge = gabor_vec3(wave.y * arch, 3.1415927f * arch * wave.x * along.yz() - 8.0f * cube * low * wave.y * across.yz());
         colour += (0.35f + 0.65f * bulge.x) * (first ? warp : weft);
-        bulge = 0.16f * bulge + 0.006f * (first ? of.pair_0.first : of.pair_1.first);
+        bulge = 0.16f * bulge + 0.0035f * (first ? of.pair_0.first : of.pair_1.first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz());
     }
@@ -887,7 +889,7 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborImplPixel cloth, gabor_v
     // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(height, lost, samples, kept, 0.072432f, 0.0256f * 2.154f * gabor_vec3(count * count, 0.0f));
     colour = gabor_cpp_mix(0.3221275f * (warp + weft), colour / float(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
-    lost = unit * unit * (lost + 1.8e-5f * (of.pair_0.lost + of.pair_1.lost));
+    lost = unit * unit * (lost + 6.125e-6f * (of.pair_0.lost + of.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0f);
 }
 
@@ -1027,8 +1029,14 @@ GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborImplPair c
 GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborImplPair vein) {
     gabor_vec2 width = i == 4 ? gabor_vec2(0.25f, 0.035f) : i == 5 ? gabor_vec2(0.35f, 0.05f) : gabor_vec2(1.0f, i == 6 ? 0.04f : 0.05f);
     gabor_vec2 strength = marble.vein_strength * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));
-    float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5f : i == 5 ? -0.4f : i == 6 ? 0.8f : 1.1f, 0.5f).x;
-    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    float threshold = i == 4 ? 0.5f : i == 5 ? -0.4f : i == 6 ? 0.8f : 1.1f;
+    float open = gabor_impl_above(vein.second, vein.removed, threshold, 0.5f).x;
+    // The second noise widens the core by exp(0.8 noise); so weighted, its removed part has a mean of 0.8 times its
+    // variance.
+    width.y *= 0.6f * gabor_cpp_exp(gabor_cpp_min(0.8f * vein.second.x, 2.4f) + 0.32f * vein.removed); // 0.8^2 / 2
+    gabor_vec3 weighted = vein.second + gabor_vec3(0.8f * vein.removed, 0.0f, 0.0f);
+    strength.y *= gabor_impl_above(weighted, vein.removed, threshold, 0.5f).x
+                * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
     gabor_vec3 halo = gabor_cpp_mix(marble.stone_colour, marble.vein_colour, 0.65f);
     gabor_vec3 core = gabor_cpp_mix(marble.stone_colour, marble.vein_colour, i == 4 ? 0.9f : i == 5 ? 1.0f : i == 6 ? 0.65f : 0.45f);

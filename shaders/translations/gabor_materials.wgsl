@@ -774,7 +774,7 @@ fn gabor_impl_thread(across: vec3f, thick: vec3f, along: vec3f, bend: f32, level
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
 fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, of_: GaborImplPairs) -> GaborMaterial {
-    let uneven = fabric.unevenness; let unit = fabric.relief / fabric.threads;
+    let uneven = fabric.unevenness; var unit = fabric.relief / fabric.threads;
     var at_x = count.x * gabor_impl_along_x(cloth); var at_y = count.y * gabor_impl_along_y(cloth);
     let dx = count * cloth.dx; let dy = count * cloth.dy;
     let spread = gabor_impl_sample_spread(dx, dy); let kept = 1.0 - smoothstep(0.3, 0.7, spread);
@@ -810,7 +810,9 @@ fn gabor_impl_fabric(cloth: GaborImplPixel, count: vec2f, fabric: GaborFabric, o
     var mean = vec3f(0.8828 - 0.0056 * uneven * uneven, 0.0406 + 0.0025 * uneven * uneven, 0.29); // light, height, slope
     if (fabric.weave >= 0.5) { mean = vec3f(0.91 - uneven * (0.0105 + 0.0045 * uneven), 0.0655, 0.37); }
     gabor_impl_average(&height, &lost, samples, kept, mean.y, vec3f(mean.z * count * count, 0.0));
-    colour = mix(0.5 * mean.x * (warp + weft), colour / f32(samples), kept);
+    let bare = select(1.0, 0.12, fabric.cords > 0.0); // pile hides the weave of corduroy
+    colour = mix(0.5 * mean.x * (warp + weft), colour / f32(samples), bare * kept);
+    unit *= bare;
     height *= unit;
     lost = unit * unit * (lost + 0.0006125 * (of_.pair_2.lost + of_.pair_3.lost));
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
@@ -847,7 +849,7 @@ fn gabor_impl_twill(pixel: GaborImplPixel, seed: u32) -> GaborImplPixel {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborImplPixel, count: vec2f, seed: u32) -> GaborImplLayer {
-    return gabor_impl_spots_layer(cloth, select(vec2f(0.6, 20.0), vec2f(20.0, 0.6), i == 0) * count, seed, 1 + i);
+    return gabor_impl_spots_layer(cloth, select(vec2f(0.6, 32.0), vec2f(32.0, 0.6), i == 0) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
@@ -876,7 +878,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
         let wave = vec2f(cos(3.1415927 * along.x), sin(3.1415927 * along.x)); // pi
         var bulge = vec3f(wave.y * arch, 3.1415927 * arch * wave.x * along.yz - 8.0 * cube * low * wave.y * across.yz);
         colour += (0.35 + 0.65 * bulge.x) * select(weft, warp, first);
-        bulge = 0.16 * bulge + 0.006 * select(of_.pair_1.first, of_.pair_0.first, first);
+        bulge = 0.16 * bulge + 0.0035 * select(of_.pair_1.first, of_.pair_0.first, first);
         height += bulge;
         lost += gabor_impl_square(bulge.yz);
     }
@@ -884,7 +886,7 @@ fn gabor_impl_carbon_fibre(cloth: GaborImplPixel, count: vec2f, fibres: GaborCar
     // 0.072432 is 0.16 * 0.4527
     gabor_impl_average(&height, &lost, samples, kept, 0.072432, 0.0256 * 2.154 * vec3f(count * count, 0.0));
     colour = mix(0.3221275 * (warp + weft), colour / f32(samples), kept); // (0.35 + 0.65 * 0.4527) / 2
-    lost = unit * unit * (lost + 1.8e-5 * (of_.pair_0.lost + of_.pair_1.lost));
+    lost = unit * unit * (lost + 6.125e-6 * (of_.pair_0.lost + of_.pair_1.lost));
     return gabor_impl_material(colour, unit * height, lost, fibres.roughness, 0.0);
 }
 
@@ -1022,10 +1024,16 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborImplPair, crystal: GaborIm
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where a second noise exceeds a threshold, so that
 // they have ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborImplPair) {
-    let width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
+    var width = select(select(vec2f(1.0, select(0.05, 0.04, i == 6)), vec2f(0.35, 0.05), i == 5), vec2f(0.25, 0.035), i == 4);
     var strength = marble.vein_strength * select(select(vec2f(0.0, 0.45), vec2f(0.55, 0.75), i == 5), vec2f(0.6, 0.6), i == 4);
-    let open = gabor_impl_above(vein.second, vein.removed, select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4), 0.5).x;
-    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    let threshold = select(select(select(1.1, 0.8, i == 6), -0.4, i == 5), 0.5, i == 4);
+    let open = gabor_impl_above(vein.second, vein.removed, threshold, 0.5).x;
+    // The second noise widens the core by exp(0.8 noise); so weighted, its removed part has a mean of 0.8 times its
+    // variance.
+    width.y *= 0.6 * exp(min(0.8 * vein.second.x, 2.4) + 0.32 * vein.removed); // 0.8^2 / 2
+    let weighted = vein.second + vec3f(0.8 * vein.removed, 0.0, 0.0);
+    strength.y *= gabor_impl_above(weighted, vein.removed, threshold, 0.5).x
+                * gabor_impl_line(vein.first, vein.removed, width.y).x;
     strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
     let halo = mix(marble.stone_colour, marble.vein_colour, 0.65);
     let core = mix(marble.stone_colour, marble.vein_colour, select(select(select(0.45, 0.65, i == 6), 1.0, i == 5), 0.9, i == 4));

@@ -106,8 +106,8 @@ class Arguments(ErrorTest):
         write_exr(self.folder / "map.exr", {"Y": np.zeros((4, 4), "f4")})
         self.assert_refused(["--preset 'Moon': expected alps, badlands, canyon, fjord, hills\n"], "erode", "map.exr", "-o", "out.exr", "--preset=Moon")
         listed = materials.partition(", ")[2]
-        self.assert_refused([f"MATERIAL 'oak': expected {listed}, boards, finish\n"], "materials", "oak")
-        self.assert_refused([f"MATERIAL 'none': expected {listed}, boards, finish\n"], "materials", "none")
+        self.assert_refused([f"MATERIAL 'oak': expected {listed}, boards, coat, finish\n"], "materials", "oak")
+        self.assert_refused([f"MATERIAL 'none': expected {listed}, boards, coat, finish\n"], "materials", "none")
 
     def test_names_may_have_any_case(self):
         alike = [(["--material=wood", "--view=sphere", "--environment=dark"], ["--material=Wood", "--view=SPHERE", "--environment=Dark"]),

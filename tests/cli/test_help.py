@@ -33,13 +33,13 @@ class Help(ProgramTest):
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--compression", "--device", "--yaw", "--pitch",
-                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--full-range", "--elevation", "--extent", "--cover", "--water-level", "--boards", "--finish",
+                              "--zoom", "--focal-length", "--material", "--write-heightmap", "--full-range", "--elevation", "--extent", "--cover", "--water-level", "--boards", "--coat", "--finish",
                               "--wind", "--fetch", "--swell-height", "--swell-period", "--swell-direction", "--water-depth", "--loop-seconds", "--altitude",
                               "--light-azimuth", "--light-elevation", "--environment", *FRACTAL),
                    "maps": ("-o,--output", "--size", "--preset", "--like", "--width-metres", "--directx", "--normal-bits", "--texture", "--float",
-                            "--compression", "--device", "--material", "--boards", "--finish", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover", "--water-level"),
+                            "--compression", "--device", "--material", "--boards", "--coat", "--finish", "--scale", "--seed", "--view", "--tileable", "--extent", "--cover", "--water-level"),
                    "texture": ("-o,--output", "--size", "--preset", "--like", "--region", "--level", "--half", "--frames", "--device", "--material",
-                               "--boards", "--finish", "--scale", "--recipe", "--frequency", "--orientation", "--frequency-spread", "--orientation-spread",
+                               "--boards", "--coat", "--finish", "--scale", "--recipe", "--frequency", "--orientation", "--frequency-spread", "--orientation-spread",
                                "--lobes", "--seed", "--evolution", "--paint", "--gradient", "--phasor", "--view", "--tileable", "--light-azimuth",
                                "--light-elevation", "--environment", *FRACTAL),
                    "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
@@ -139,7 +139,7 @@ class Help(ProgramTest):
     def test_materials_and_their_options(self):
         materials = self.succeed("materials").split()
         self.assertEqual(len(materials), 11)
-        for material in [*materials, "boards", "finish"]:
+        for material in [*materials, "boards", "coat", "finish"]:
             options = re.findall(r"(?m)^--(\S+) +[A-Z].*\[\S+\]$", self.succeed("materials", material))
             self.assertTrue(5 <= len(options) <= 14, material)
             self.assertEqual({option.partition(".")[0] for option in options}, {material})

@@ -37,7 +37,7 @@ class Readme(ProgramTest):
             known[command] = set(re.findall(r"--[a-z][\w-]*(?:\.[\w.-]*\w)?", self.succeed(command, "--help")))
         known["render"] |= known["erode"]  # the parameters of erosion
         known["render"] |= {f"--no-{option[2:]}" for option in known["render"]}
-        for line in [*self.succeed("materials").splitlines(), "boards", "finish"]:
+        for line in [*self.succeed("materials").splitlines(), "boards", "coat", "finish"]:
             if line:
                 for command in ("render", "maps", "texture"):
                     known[command] |= set(re.findall(r"--[a-z][\w-]*\.[\w.-]*\w", self.succeed("materials", line.split()[0])))

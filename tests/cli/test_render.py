@@ -24,7 +24,7 @@ LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"freq
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
 # Parameters that only some requests have.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
-           "light_elevation": 38, "environment": "room", "boards": False, "finish": False}
+           "light_elevation": 38, "environment": "room", "boards": False, "coat": False, "finish": False}
 
 
 class Materials(RenderTest):
@@ -134,7 +134,7 @@ class Like(RenderTest):
         every = [["--gradient", "--tileable", "--evolution=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--lobes=lobes.json"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8", "--finish", "--finish.dust-amount=0.3"],
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark", "--boards", "--boards.board-width=0.8", "--coat", "--coat.level=0.01", "--finish", "--finish.dust-amount=0.3"],
                  ["--fractal=ridged", "--fractal.octaves=3.5", "--fractal.basis=perlin", "--fractal.warp=0.2", "--evolution=0.3"]]
         unlike = set()
         for flags in every:

@@ -82,6 +82,22 @@ GaborMaterial with_finish(Vec2 p, Vec2 dx, Vec2 dy, const Numbers& n, unsigned s
                     : gabor_finished(gabor_leather_at(p, Vec2(0), leather, seed), p, Vec2(0), finish, seed);
 }
 
+// Sandstone under paint on boards of a unit by half of one, or under sand without boards.
+GaborMaterial with_coat(Vec2 p, Vec2 dx, Vec2 dy, bool paint, unsigned seed) {
+    GaborBoards boards = gabor_boards_default();
+    boards.board_width = 1;
+    boards.board_length = 0.5f;
+    const GaborBoard board = gabor_board(p, dx, dy, Vec2(0), boards, seed);
+    GaborCoat coat = gabor_coat_default();
+    coat.thickness = paint ? 0.01f : 1.0f;
+    coat.level = paint ? 0.03f : 0.0f;
+    coat.raggedness = paint ? 0.4f : 0.1f;
+    const Vec2 to_edge = paint ? board.to_edge : Vec2(1000);
+    return dx.x > 0 ? gabor_coated_filtered(gabor_strata_filtered(p, dx, dy, seed), p, dx, dy, Vec2(0),
+                                            to_edge, coat, seed)
+                    : gabor_coated(gabor_strata(p, seed), p, Vec2(0), to_edge, coat, seed);
+}
+
 // A material that a mask raises, with the mask's gradient.
 GaborMaterial raised(GaborMaterial m, Vec2 p) {
     m.height += 0.02f * (p.x - p.y);
@@ -142,6 +158,26 @@ const std::vector<Material> materials = [] {
 
 // Materials with others over or under them. What shows is not the mean of what would show within a pixel.
 const std::vector<Material> combined{
+    {"painted",
+     1e-4f,
+     0.03,
+     0,
+     {},
+     {},
+     [](Vec2 p, const Numbers&, unsigned seed) { return with_coat(p, Vec2(0), Vec2(0), true, seed); },
+     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) {
+         return with_coat(p, dx, dy, true, seed);
+     }},
+    {"buried",
+     1e-4f,
+     0.03,
+     0,
+     {},
+     {},
+     [](Vec2 p, const Numbers&, unsigned seed) { return with_coat(p, Vec2(0), Vec2(0), false, seed); },
+     [](Vec2 p, Vec2 dx, Vec2 dy, const Numbers&, unsigned seed) {
+         return with_coat(p, dx, dy, false, seed);
+     }},
     {"covered",
      1e-4f,
      0.03,
@@ -257,6 +293,39 @@ TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]
             INFO(m.name << ", pixel " << pixel);
             CHECK(std::sqrt(error) <= (pixel > 0 ? m.fixed : 0.01) * rms);
             CHECK(creases < points / 5); // a filtered weave has the creases of 16 samples
+        }
+}
+
+// Over a flat material, the coat's surface is normal with the deviation `variation`, and soft by 0.3 of the
+// thickness.
+TEST_CASE("a coat covers the share of a flat material that its level asks for, near and far", "[materials]") {
+    const GaborMaterial flat{gabor_vec3(0), 0, Vec2(0), 0.2f, 1, gabor_vec3(0)};
+    for (const float level : {-0.03f, 0.0f, 0.05f})
+        for (const float pixel : {0.0f, 0.02f, 0.3f, 4.0f}) {
+            GaborCoat coat = gabor_coat_default();
+            coat.coat_colour = gabor_vec3(1);
+            coat.level = level;
+            const double deviation = std::hypot(wide(coat.variation), 0.3 * wide(coat.thickness));
+            const double expected = 0.5 * std::erfc(-wide(level) / deviation / std::sqrt(2.0));
+            Random random(11);
+            constexpr int points = 20000;
+            double share = 0, metal = 0;
+            for (int i = 0; i < points; ++i) {
+                const Vec2 p = random.uniform<Vec2>(0, 100);
+                const auto seed = random.word();
+                const GaborMaterial m = pixel > 0
+                                            ? gabor_coated_filtered(flat, p, Vec2(pixel, 0), Vec2(0, pixel),
+                                                                    Vec2(0), Vec2(1000), coat, seed)
+                                            : gabor_coated(flat, p, Vec2(0), Vec2(1000), coat, seed);
+                share += wide(m.colour.x) / points;
+                metal += wide(m.metalness) / points;
+                REQUIRE(m.height >= -1e-7f);
+                REQUIRE(m.height <= 1.0001f * coat.thickness);
+            }
+            fmt::print("  level {:.2f}, pixel {:.2f}: coat on {:.3f}, expected {:.3f}\n", level, pixel, share,
+                       expected);
+            CHECK(std::abs(share - expected) < 0.012);
+            CHECK(std::abs(share + metal - 1) < 1e-4);
         }
 }
 

@@ -248,7 +248,7 @@ float kept(GaborMaterial m) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborBoard b) {
-    return kept(b.position) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.rotation) + b.shade
+    return kept(b.position) + 0.7f * kept(b.dx) + 0.3f * kept(b.dy) + float(b.seed >> 8u) / 16777216.0f + kept(b.rotation) + b.shade + kept(b.tint)
            + b.joint_cover.x + (b.joint_cover.y + 0.7f * b.joint_cover.z) / (1.0f + abs(b.joint_cover.y) + abs(b.joint_cover.z)); // its edges may be steep
 }
 #endif
@@ -526,12 +526,17 @@ void see_all(int i) {
     GaborBoards any = GaborBoards(vec3(drawn(i, 60, 0.0f, 1.0f), drawn(i, 61, 0.0f, 1.0f), drawn(i, 62, 0.0f, 1.0f)),
                                   drawn_to_ends(i, 63, 0.05f, 10.0f), drawn_to_ends(i, 64, 0.05f, 20.0f),
                                   drawn_to_ends(i, 65, 0.0f, 1.0f), drawn_to_ends(i, 66, 0.0f, 1.0f), drawn_to_ends(i, 67, 0.0f, 1.0f),
-                                  drawn_to_ends(i, 68, 0.0f, 0.2f), drawn_to_ends(i, 69, 0.0f, 0.2f));
+                                  drawn_to_ends(i, 68, 0.0f, 0.2f), drawn_to_ends(i, 69, 0.0f, 0.2f), drawn_to_ends(i, 72, 0.0f, 0.5f));
     vec2 tile = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(drawn(i, 70, 0.1f, 20.0f), drawn(i, 71, 0.1f, 20.0f));
     GaborBoard sharp = gabor_board(p, vec2(0.0f, 0.0f), vec2(0.0f, 0.0f), tile, any, s.seed);
     GaborBoard wide = gabor_board(p, dx, dy, tile, any, s.seed);
     SEE(kept(sharp)) SEE(kept(wide)) SEE(kept(gabor_laid(metal, sharp, any))) SEE(kept(gabor_laid(stone, wide, any)))
     SEE(kept(gabor_covered(metal, stone, 0.0f))) SEE(kept(gabor_worn(stone, metal, 0.1f)))
+    GaborCoat coat = gabor_coat_default();
+    SEE(kept(gabor_coated(gabor_laid(stone, sharp, any), p, period, sharp.to_edge, coat, s.seed)))
+    coat.thickness = 1.0f;
+    coat.level = 0.0f;
+    SEE(kept(gabor_coated_filtered(metal, p, dx, dy, period, wide.to_edge, coat, s.seed)))
     GaborFinish finish = gabor_finish_default();
     SEE(kept(gabor_finished(stone, p, period, finish, s.seed)))
     finish.dirt_amount = 0.5f;

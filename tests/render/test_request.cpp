@@ -87,10 +87,10 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
             render::set(several, "lobes", std::vector<noise::Lobe>(3));
         std::vector<Request> starts{of_view(view), several};
         for (const std::string_view material : render::materials) {
-            for (const bool boards : {false, true}) { // and a finish
+            for (const bool boards : {false, true}) { // and a coat and a finish
                 starts.push_back(of_view(view));
                 render::set(starts.back(), "material", std::string(material));
-                starts.back().boards = starts.back().finish = boards;
+                starts.back().boards = starts.back().coat = starts.back().finish = boards;
             }
         }
         starts.push_back(of_view(view));

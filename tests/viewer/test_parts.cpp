@@ -164,6 +164,7 @@ TEST_CASE("every parameter is a step of undo, but for time and the camera's") {
     }
     requests.push_back(requests.back());
     render::set(requests.back(), "boards", true);
+    render::set(requests.back(), "coat", true);
     render::set(requests.back(), "finish", true);
     requests.emplace_back();
     render::set(requests.back(), "fractal", std::string("fbm"));

@@ -340,6 +340,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     constants[passes::tiled_id] = request.view.tileable;
     constants[passes::environment_id] = vulkan::constant(request.environment);
     constants[passes::boards_id] = request.boards;
+    constants[passes::coat_id] = request.coat;
     constants[passes::finish_id] = request.finish;
     constants[passes::unlit_id] = !viewport.lit;
     plan.tables = {bytes_of(struct_values(request))};

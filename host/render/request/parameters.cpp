@@ -137,6 +137,8 @@ constexpr Constant lit{"--material NAME, or --view terrain, landscape or ocean",
 constexpr Constant material{"--material NAME", is<Kind::material>};
 constexpr Constant laid{"--boards and --material NAME",
                         [](const Request& r) { return material.holds(r) && r.boards; }};
+constexpr Constant coated{"--coat and --material NAME",
+                          [](const Request& r) { return material.holds(r) && r.coat; }};
 constexpr Constant finished{"--finish and --material NAME",
                             [](const Request& r) { return material.holds(r) && r.finish; }};
 constexpr Constant terrain{"--view terrain or landscape", is<Kind::terrain>};
@@ -151,8 +153,8 @@ std::string other_than(const Scope& scope, const Request& request) {
     };
     if (mentions("lobe") && request.lobes.size() > 1)
         return fmt::format("{} lobes", request.lobes.size());
-    if ((scope.described == scopes::laid.described || scope.described == scopes::finished.described) &&
-        request.material != no_material)
+    const auto is = [&](const Constant& other) { return scope.described == other.described; };
+    if ((is(scopes::laid) || is(scopes::coated) || is(scopes::finished)) && request.material != no_material)
         return "";
     if (request.material != no_material && (scope.holds(plain(request)) || mentions("material")))
         return request.material;
@@ -279,6 +281,11 @@ std::vector<Parameter> noise_rows() {
             "Lay the material as planks or tiles, with joints between them. Whole boards fill a tile. `gabor "
             "materials boards` lists the options of boards",
             in_request(&Request::boards)),
+        row("coat", Type::flag, "", none, none, scopes::material,
+            "Coat the material with paint that wears and chips, or with sand, moss or snow that fills "
+            "hollows. "
+            "`gabor materials coat` lists the options of coats",
+            in_request(&Request::coat)),
         row("finish", Type::flag, "", none, none, scopes::material,
             "Give the material a finish: uneven colour and gloss, dirt, dust and a grain. `gabor materials "
             "finish` lists the options of finishes",
@@ -478,6 +485,7 @@ Parameter struct_row(const StructRow& made) {
     const auto [group, scope] = dot == of.npos   ? std::pair(Group::erosion, Scope(scopes::terrain))
                                 : of == "sea"    ? std::pair(Group::sea, Scope(scopes::sea))
                                 : of == "boards" ? std::pair(Group::boards, Scope(scopes::laid))
+                                : of == "coat"   ? std::pair(Group::coat, Scope(scopes::coated))
                                 : of == "finish" ? std::pair(Group::finish, Scope(scopes::finished))
                                                  : std::pair(Group::material, one_material);
     Parameter p = row(group == Group::sea ? made.name.substr(dot + 1) : made.name, made.type, made.unit,
@@ -767,7 +775,8 @@ void set(Request& request, const Values& values, std::string (*called)(const Par
     for (const int rank : {0, 1, 2})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter& p = *named.first;
-            const bool of_material = p.name == "boards" || p.name == "finish"; // which comes before these
+            const bool of_material =
+                p.name == "boards" || p.name == "coat" || p.name == "finish"; // which comes before these
             if (rank != (of_material ? 1 : decides(p) ? 0 : 2))
                 continue;
             with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
@@ -797,7 +806,7 @@ std::optional<Value> default_of(const Parameter& parameter, const Request& reque
 
 bool decides(const Parameter& p) {
     return p.type == Type::lobes || p.name == "view" || p.name == "material" || p.name == "fractal" ||
-           p.name == "boards" || p.name == "finish";
+           p.name == "boards" || p.name == "coat" || p.name == "finish";
 }
 
 bool is_set(const Request& request, std::string_view name) {
@@ -834,8 +843,8 @@ std::vector<float> struct_values(const Request& request) {
     for (const Parameter& p : parameters()) {
         if (!p.of_struct)
             continue;
-        const bool always =
-            group == Group::material && (p.group == Group::boards || p.group == Group::finish);
+        const bool always = group == Group::material &&
+                            (p.group == Group::boards || p.group == Group::coat || p.group == Group::finish);
         const std::optional<Value> value = always             ? p.place.get(request)
                                            : p.group == group ? p.get(request)
                                                               : std::nullopt;

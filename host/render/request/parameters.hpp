@@ -39,7 +39,7 @@ struct Place {
 struct Parameter {
     enum class Type { flag, integer, number, angle, choice, text, lobes, colour };
     /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
-    enum class Group { picture, noise, view, light, boards, finish, terrain, sea, erosion, material };
+    enum class Group { picture, noise, view, light, boards, coat, finish, terrain, sea, erosion, material };
 
     std::string_view name; ///< name in JSON; the command-line option has - instead of _
     Type type;
@@ -91,8 +91,8 @@ std::string accepted(const Parameter& parameter);
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
-/// Tells whether other parameters exist or not depending on this one: view, material, boards, finish and
-/// lobes.
+/// Tells whether other parameters exist or not depending on this one: view, material, boards, coat, finish
+/// and lobes.
 bool decides(const Parameter& parameter);
 
 /// Sets values. Starts with those that decide what other parameters exist. Throws

@@ -135,6 +135,7 @@ struct Request {
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     bool boards = false; ///< lay the material as planks or tiles
+    bool coat = false;   ///< coat the material
     bool finish = false; ///< give the material a finish
     Sea sea = {};
     Fractal fractal = {};
