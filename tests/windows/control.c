@@ -1,6 +1,5 @@
 /* Starts a program, sends it an event of the console after some time, and prints its exit status in hexadecimal.
- *   control c|twice|break|kill MILLISECONDS PROGRAM [ARGUMENT]...    twice sends two Ctrl-C, break sends Ctrl-Break to the program
- *                                                                     only, and kill terminates it */
+ *   control c|twice|kill MILLISECONDS PROGRAM [ARGUMENT]...    kill terminates it, twice sends two Ctrl-C */
 #include <windows.h>
 
 #include <stdio.h>
@@ -23,21 +22,18 @@ int main(int count, char** arguments) {
         strcat(line, arguments[i]);
         strcat(line, "\"");
     }
-    const DWORD group = count > 1 && strcmp(arguments[1], "break") == 0 ? CREATE_NEW_PROCESS_GROUP : 0;
     start.dwFlags = STARTF_USESTDHANDLES;
     start.hStdInput = inherited(STD_INPUT_HANDLE);
     start.hStdOutput = inherited(STD_OUTPUT_HANDLE);
     start.hStdError = inherited(STD_ERROR_HANDLE);
     FreeConsole(); /* events need a console, which Wine gives only to programs that it starts from a terminal */
     AllocConsole();
-    if (count < 4 || !CreateProcessA(NULL, line, NULL, NULL, TRUE, group, NULL, NULL, &start, &process))
+    if (count < 4 || !CreateProcessA(NULL, line, NULL, NULL, TRUE, 0, NULL, NULL, &start, &process))
         return 1;
     Sleep(atoi(arguments[2]));
     SetConsoleCtrlHandler(NULL, TRUE); /* ignores Ctrl-C */
     if (strcmp(arguments[1], "kill") == 0)
         TerminateProcess(process.hProcess, 9);
-    else if (group)
-        GenerateConsoleCtrlEvent(CTRL_BREAK_EVENT, process.dwProcessId);
     else
         GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0);
     if (strcmp(arguments[1], "twice") == 0) {
