@@ -56,14 +56,9 @@ WAVE = Input("Wave", (2.83, 2.83), 0.0, 16.0, "wave vector in cycles per kernel 
 SHARPNESS = Input("Sharpness", (2.0,), 0.0, 8.0, "full contrast where the intensity is above 1 / Sharpness")
 PIXEL = Input("PixelSize", (0.0,), 0.0, 16.0, "sides of a pixel or distance of vertices, to leave out what is finer, 0 for none")
 SUM = [described(each, {"diminish": "Gain"}.get(each.partition(" ")[0])) for each in nodes.SUM[:-1]]
-SEA = [Input("Seconds", (0.0,), 0.0, 3600.0, "time"),
-       Input("Wind", (10.0,), 2.0, 30.0, "metres per second, 10 m up"),
-       Input("Direction", (0.0,), 0.0, 6.2832, "where the waves go, in radians from x towards y"),
-       Input("Fetch", (200000.0,), 1000.0, 1000000.0, "metres of open water upwind"),
-       Input("SwellHeight", (0.0,), 0.0, 30.0, "significant height of a swell in metres"),
-       Input("SwellPeriod", (12.0,), 5.0, 25.0, "its period in seconds"),
-       Input("SwellDirection", (1.05,), 0.0, 6.2832, "where it goes, in radians"),
-       Input("Loop", (0.0,), 0.0, 4096.0, "seconds after which all repeats, a power of 2 from 8, or 0")]
+SECONDS = Input("Seconds", (0.0,), 0.0, 3600.0, "time")
+COURSE = [Input("Direction", (0.0,), 0.0, 6.2832, "where the wind and its waves go, in radians from x towards y", "direction"),
+          Input("Loop", (0.0,), 0.0, 4096.0, "seconds after which all repeats, a power of 2 from 8, or 0", "loop_seconds", "(int)")]
 FRACTAL = """GaborFractal fractal = gabor_fractal(Octaves, Gain);
 fractal.lacunarity = Lacunarity;
 fractal.shape = (int)(Shape + 0.5);
@@ -92,8 +87,8 @@ Slope = made.slope;
 Ridge = made.ridge;
 Cover = gabor_ground_cover(made);
 """
-WATER = """GaborOcean sea = gabor_ocean_of(Wind, Direction, Fetch, float3(SwellHeight, SwellPeriod, SwellDirection), (int)Loop);
-GaborWater made = gabor_water_filtered(Place, float2(PixelSize, 0.0), float2(0.0, PixelSize), Seconds, sea, seed);
+WATER = """GaborSea given;
+SETGaborWater made = gabor_water_filtered(Place, float2(PixelSize, 0.0), float2(0.0, PixelSize), Seconds, gabor_ocean_of(given), seed);
 Height = made.height;
 Shift = made.shift;
 Slope = made.slope;
@@ -116,14 +111,16 @@ def tree(*paths):
 
 def members(owner):
     """Returns the inputs for the members of a struct, by copies.parameters."""
-    for option, kind, _, bounds, _, numbers, about in copies.parameters(tree(*files("materials" if owner else "erosion"))):
+    for option, kind, unit, bounds, _, numbers, about in copies.parameters(tree(*files({"": "erosion", "sea": "ocean"}.get(owner, "materials")))):
         of, _, member = option.rpartition(".")
         if of.replace("-", "_") == owner:
             if kind == "angle":
-                bounds, numbers, about = [math.radians(each) for each in bounds], [math.radians(each) for each in numbers], f"{about}, in radians"
+                bounds = [math.radians(min(max(each, -360), 360)) for each in bounds]  # of a slider
+                numbers, unit = [math.radians(each) for each in numbers], "radians"
+            about += f", in {unit}" if unit else ""
             name = "".join(word.capitalize() for word in member.split("_"))
             name = f"Base{name}" if name in ("Colour", "Roughness") else name  # which outputs are called
-            yield Input(name, tuple(float(f"{each:.8g}") for each in numbers), *map(float, bounds), 
+            yield Input(name, tuple(float(f"{each:.8g}") for each in numbers), *map(float, bounds),
                         (about[0].lower() + about[1:]).replace("kernel radius", "unit"), member, "(int)" if kind == "integer" else "")
 
 
@@ -159,9 +156,10 @@ def table():
     made.append(Node("Terrain", "Terrain", "erosion", "eroded mountains: height, slope, ridge, and shares of grass, scree, rock and snow",
                      [PLACE._replace(about="position in units; hills are about four units wide"), PIXEL, *inputs, SEED],
                      {"Height": 1, "Slope": 2, "Ridge": 1, "Cover": 4}, TERRAIN.replace("SET", setting(inputs))))
+    inputs = [*members("sea"), *COURSE]
     made.append(Node("Sea", "Sea", "ocean", "water whose place at rest is Place: height, horizontal shift, slope, and a jacobian that is lower where it folds",
-                     [PLACE._replace(about="position in metres"), PIXEL, *SEA, SEED],
-                     {"Height": 1, "Shift": 2, "Slope": 2, "Jacobian": 1}, WATER))
+                     [PLACE._replace(about="position in metres"), PIXEL, SECONDS, *(each._replace(member="") for each in inputs), SEED],
+                     {"Height": 1, "Shift": 2, "Slope": 2, "Jacobian": 1}, WATER.replace("SET", setting(inputs))))
     return made
 
 

@@ -330,10 +330,9 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
 GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direction, float2 beside, GaborImplJonswap sea,
                                bool remote, bool stands, out float along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
-    GaborOceanBand band;
-    band.low = low;
-    band.exponent = exponent;
-    band.amplitude = sqrt(power.sum);
+    // Each member has a value, which FXC demands of an inout argument.
+    GaborOceanBand band = GaborOceanBand_of(sqrt(power.sum), exponent, low, 0.0, (float2)(0.0), (float2)(0.0), (float2)(0.0), 0.0, 0.0,
+                                         (float4)(0.0), (float4)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (int2)(0));
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * float2(along, 1.0 - along);
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.

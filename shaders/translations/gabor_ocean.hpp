@@ -306,10 +306,9 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
 GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direction, gabor_vec2 beside, GaborImplJonswap sea,
                                bool remote, bool stands, float& along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
-    GaborOceanBand band;
-    band.low = low;
-    band.exponent = exponent;
-    band.amplitude = gabor_cpp_sqrt(power.sum);
+    // Each member has a value, which FXC demands of an inout argument.
+    GaborOceanBand band = GaborOceanBand{gabor_cpp_sqrt(power.sum), exponent, low, 0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, 0.0f,
+                                         gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_ivec2(0)};
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * gabor_vec2(along, 1.0f - along);
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.

@@ -296,10 +296,9 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
 fn gabor_impl_band(low: f32, reach: f32, exponent: i32, direction: f32, beside: vec2f, sea: GaborImplJonswap,
                    remote: bool, stands: bool, along: ptr<function, f32>) -> GaborOceanBand {
     let power = gabor_impl_band_power(low, reach, sea, remote);
-    var band: GaborOceanBand;
-    band.low = low;
-    band.exponent = exponent;
-    band.amplitude = sqrt(power.sum);
+    // Each member has a value, which FXC demands of an inout argument.
+    var band = GaborOceanBand(sqrt(power.sum), exponent, low, 0.0, vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0, 0.0,
+                              vec4f(0.0), vec4f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2i(0));
     *along = gabor_impl_set_directions(&band, reach, power);
     band.slopes = power.sum * power.steep * vec2f((*along), 1.0 - (*along));
     // The wave number over the frequency, nearly: exact at a quarter and three quarters of the band, and in deep water.

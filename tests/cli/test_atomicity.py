@@ -8,7 +8,7 @@ import signal
 import time
 import unittest
 
-from program import ProgramTest, start
+from program import WINDOWS, ProgramTest, start
 
 REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # several bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 10))
@@ -29,6 +29,7 @@ def catches(process, number):
     return int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16) >> (number - 1) & 1
 
 
+@unittest.skipIf(WINDOWS, "Windows has no signals; windows/test_files interrupts and kills gabor.exe")
 class Atomicity(ProgramTest):
     complete, durations = {}, [] # the files of a complete run, and how long two take
 

@@ -269,14 +269,14 @@ class Devices(ErrorTest):
         self.refuse_render(["matches more than one device: ", "llvmpipe", "0 (", "1 ("], "--device=LLVMpipe", env=twice)
         self.succeed("render", "-o", "out.exr", "--size=8x8", "--device=1", env=twice)
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Wine has a loader of its own, whose drivers are Linux's")
     def test_no_driver(self):
         for name, other in [("VK_ICD_FILENAMES", "VK_DRIVER_FILES"), ("VK_DRIVER_FILES", "VK_ICD_FILENAMES")]:
             none = {name: "/nonexistent.json", other: None}
             for command in (["render", "-o", "out.exr"], ["devices"]):
                 self.assert_refused(["no Vulkan", f"{name} is '/nonexistent.json'", "unset it"], *command, env=none)
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Wine has a loader of its own")
     def test_no_loader(self):
         # The program finds these empty files first, so they hide the real loader.
         for name in ("libvulkan.so", "libvulkan.so.1"):
@@ -289,12 +289,12 @@ class Devices(ErrorTest):
 class Disk(ErrorTest):
     """If a valid request fails while it runs, the program exits with status 1."""
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Windows has no /dev/full; windows/test_files fills a disk")
     def test_a_full_device(self):
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "out.exr", "--png=/dev/full", "--size=640x640")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Windows has no ulimit; windows/test_files fills a disk")
     def test_a_file_that_grows_too_large(self):
         (self.folder / "old.exr").write_text("older")
         # In blocks of 512 or 1024 bytes. Mesa 25 keeps the device's memory, less than 64 MiB here, in a file as well.
@@ -303,7 +303,7 @@ class Disk(ErrorTest):
             self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=4096x9000",
                               command=limited)
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "windows/test_files fills one")
     def test_a_full_disk(self):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         small = "mount -t tmpfs -o size=1m tmpfs . && cd . && "
@@ -316,7 +316,7 @@ class Disk(ErrorTest):
             self.assertEqual((result.returncode, result.stdout), (1, "old.exr\nolder\n"))
             self.assertRegex(result.stderr, rf"\Agabor: cannot write {output}: No space [^\n]+\n\Z")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Windows has no /dev/full")
     def test_a_full_standard_output(self):
         with open("/dev/full", "w") as full:
             for arguments in (["devices"], ["--version"], ["--help"], ["render", "--help"]):

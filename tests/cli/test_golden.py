@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 from exr import Exr, write_exr
-from program import ProgramTest
+from program import WINDOWS, ProgramTest
 
 GOLDEN = pathlib.Path(__file__).parents[1] / "golden" / "pixels.txt"
 VERSION = re.search(r"VERSION ([\d.]+)", (GOLDEN.parents[2] / "CMakeLists.txt").read_text().split("project(")[1])[1]
@@ -92,13 +92,14 @@ class Golden(ProgramTest):
         self.assertEqual(version, f"version {VERSION}", "the file has the pixels of another version")
         same_driver = "Mesa 22.3" in self.succeed("devices").split("\n1 ")[0]
         for (name, values), expected in zip(self.rendered(), lines, strict=True):
-            if same_driver:
+            windows = same_driver and WINDOWS and name.startswith("--like")  # whose table the C library computes
+            if same_driver and not windows:
                 self.assertEqual(line(name, values), expected)
                 continue
             of, _, numbers = expected.rpartition(": ")
             self.assertEqual(name, of)
             wanted = np.array(numbers.split()[1:], dtype=float)
-            tolerance = next((t for kind, t in TOLERANCES.items() if kind in name.rpartition(": ")[2]), 4e-5)
+            tolerance = 1e-5 if windows else next((t for kind, t in TOLERANCES.items() if kind in name.rpartition(": ")[2]), 4e-5)
             self.assertLessEqual(np.abs(sums(name, values) - wanted).max(), tolerance, name)
 
 

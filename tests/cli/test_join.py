@@ -121,7 +121,7 @@ class Refused(JoinTest):
     def test_a_name_of_another_format(self):
         self.assert_refused(["-o 'whole.png'", "ends in .exr"], "join", *self.regions(STRIPS), "-o", "whole.png")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Windows has no /dev/full; windows/test_files fills a disk")
     def test_a_full_disk(self):
         self.assert_fails(1, ["/dev/full"], "join", *self.regions(STRIPS), "-o", "/dev/full")
 

@@ -200,7 +200,7 @@ class Periods(RenderTest):
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_a_terminal_shows_progress(self):
         try:
             own, other = pty.openpty()
@@ -321,7 +321,7 @@ class Messages(RenderTest):
         self.assertEqual(self.succeed("maps", "--size=12x8", "--device=0", "-o", "h", "--material=scratches"),
                          f"h: maps of 12 x 8 pixels, material scratches, on {name}\n")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Wine's processes are not those that wait4 measures")
     @unittest.skipIf(os.environ.get("GABOR_SANITIZE"), "sanitizers keep freed memory")
     def test_a_large_picture_needs_little_memory(self):
         # 256 MiB of pixels pass through bands of 16 MiB; writing to /dev/null keeps them off the disk.

@@ -165,7 +165,7 @@ class Refused(TextureTest):
         for option in ("--texture", "--level=1"):
             self.assert_refused(["gabor texture --help"], "render", option, "--size=64x64", "-o", "new.exr")
 
-    @unittest.skipIf(WINDOWS, "a scene of POSIX")
+    @unittest.skipIf(WINDOWS, "Windows has no /dev/full; windows/test_files fills a disk")
     def test_a_full_disk(self):
         self.assert_fails(1, ["/dev/full"], "texture", "--size=64x64", "-o", "/dev/full")
 

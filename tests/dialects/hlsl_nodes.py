@@ -38,7 +38,7 @@ CALLS = {
                 "vec4 cover = gabor_ground_cover(made);",
                 "made.height made.slope.x made.slope.y made.ridge cover.x cover.y cover.z cover.w"),
     "Sea": ("sea", "GaborWater made = gabor_water_filtered(p, vec2(PixelSize, 0.0), vec2(0.0, PixelSize), Seconds, "
-            "gabor_ocean_of(Wind, Direction, Fetch, vec3(SwellHeight, SwellPeriod, SwellDirection), int(Loop)), seed);",
+            "gabor_ocean_of(GaborSea(Wind, Fetch, SwellHeight, SwellPeriod, SwellDirection, WaterDepth, Direction, int(Loop))), seed);",
             "made.height made.shift.x made.shift.y made.slope.x made.slope.y made.jacobian"),
 }
 MATERIAL = ("materials", "GaborMaterial made = gabor_NAME_filtered_at(p, dx, dy, vec2(0.0), MEMBERS, seed);\n"
@@ -71,7 +71,7 @@ def given(node):
     """Returns a value for each input but Place: near its default, or above it where that is 0, and within the range."""
     values = {each.name: tuple(min(max(each.low, (0.8 + 0.3 * (0.618 * (3 * i + k) % 1)) * (number or 0.3 * each.high)), each.high)
                                for k, number in enumerate(each.value)) for i, each in enumerate(node.inputs) if each.name != "Place"}
-    whole = {"Seed": -9.0, "Octaves": 2.5, "Shape": 2.0, "Basis": 1.0, "Loop": 64.0, "Weave": 1.0, "PixelSize": 0.06, "Seconds": 100.3}
+    whole = {"Seed": -9.0, "Octaves": 2.5, "Shape": 2.0, "Basis": 1.0, "Loop": 64.0, "Weave": 1.0, "PixelSize": 0.06, "Seconds": 100.3, "WaterDepth": 15.0}
     return values | {name: (value,) for name, value in whole.items() if name in values}
 
 
@@ -181,7 +181,8 @@ def main():
                     known = wanted(engine, node, arguments, scratch)
                     difference = np.abs(drawn[:256 * 256] - known[:256 * 256])
                     column, at = CALLS.get(node.name, MATERIAL)[0], divmod(int(difference.argmax()), 256)
-                    limit = {"materials": 1e-3, "fractal": 5e-4}.get(column, 1e-4)  # derivatives of octaves magnify rounding errors, too
+                    # Hairline scratches, borders of grass or snow, and derivatives of octaves magnify rounding errors.
+                    limit = {"materials": 2e-3, "fractal": 5e-4, "erosion": 5e-4}.get(column, 1e-4)
                     # Normals jump at threads, where rounding decides: leaves out one pixel in 1000.
                     error = (np.quantile(difference, 0.999) if column == "materials" else difference.max()) / known.std()
                 print(f"{engine}, {compiler}: {name}: largest difference {error:.2g} at row and column {at}", file=sys.stderr, flush=True)

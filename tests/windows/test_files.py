@@ -99,7 +99,6 @@ class End(ProgramTest):
         return result.stdout.split()[-1], result.stderr
 
     def test_interrupted(self):
-        # By Ctrl-C; Wine does not deliver Ctrl-Break, which the program receives in the same function.
         (self.folder / "old.exr").write_text("older")
         for output in ("old.exr", "new.exr"):
             status, said = self.control("c", 2500, "render", "-o", output, *LARGE)

@@ -1,5 +1,5 @@
 """Compares gabor.exe under Wine with gabor on Linux: files byte for byte, exit statuses and messages. GABOR_PROGRAM runs
-gabor.exe in Wine, and GABOR_LINUX is the program for Linux."""
+gabor.exe in Wine, and GABOR_LINUX is the build for Linux."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
 from exr import Exr  # noqa: E402
 from program import ProgramTest, gabor  # noqa: E402
 
-LINUX = os.environ["GABOR_LINUX"]
+LINUX = os.environ["GABOR_LINUX"] + "/gabor"
 PROJECT = pathlib.Path(__file__).parents[2]
 PRESETS = PROJECT / "host" / "render" / "request" / "presets"
 PICTURES = PROJECT / "tests" / "fuzz" / "corpus" / "picture"

@@ -29,7 +29,8 @@ std::wstring program_path() {
     return path;
 }
 
-// Runs on a thread of its own. Ends a program that is still waiting, for example for a driver to compile a
+// Runs on a thread of its own for every event: Ctrl-C, Ctrl-Break, which Wine 8 does not deliver, or the end
+// of the console or session. Ends a program that is still waiting, for example for a driver to compile a
 // shader; Windows deletes incomplete files.
 BOOL WINAPI note(DWORD event) {
     int expected = none;

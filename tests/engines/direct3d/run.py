@@ -49,7 +49,9 @@ def draw(dialect, path, name, macros):
     with tempfile.NamedTemporaryFile("w", suffix=f".{ending}") as shader:
         shader.write(text)
         shader.flush()
-        said = direct3d(dialect, shader.name, path, check=True)
+        said = direct3d(dialect, shader.name, path)
+    if "done" not in said:
+        sys.exit(f"{engine} failed")
     version = re.search(r"ANGLE ([.\d]+).*Direct3D11|d3dcompiler_(\d+)", said, re.DOTALL)
     report(path, pathlib.Path(path).read_bytes(), engine, version[1] or version[2], language, "Direct3D 11 of Wine, llvmpipe")
 
