@@ -193,6 +193,7 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
     vec2 free = 1.0 - vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5 + mean * (float(random >> 16u) / 65535.0 - 0.5);
     uint other = gabor_derived_seed(word, 2);
+    // 32767.5 is 65535 / 2
     vec2 tint = mean * boards.hue_variation * (vec2(float(other & 65535u), float(other >> 16u)) / 32767.5 - 1.0);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
                       gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark, tint,
@@ -203,7 +204,8 @@ GaborBoard gabor_board(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBoards boards
 // How the logarithms of red, green and blue change with that of red over green, while the luminance of grey stays and
 // blue changes half as much as red.
 vec3 gabor_impl_hue() {
-    return vec3(0.7419857, -0.2580143, 0.3709928); // 0.7152 / 0.9639, that minus 1, and its half
+    // 0.7152 / 0.9639, 1 - 0.7152 / 0.9639, and 0.3576 / 0.9639
+    return vec3(0.7419857, -0.2580143, 0.3709928);
 }
 
 GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {

@@ -208,6 +208,7 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
     gabor_vec2 free = 1.0f - gabor_vec2(across.x, along.x); // of a joint along each axis
     float dark = 0.5f + mean * (float(random >> 16u) / 65535.0f - 0.5f);
     std::uint32_t other = gabor_derived_seed(word, 2);
+    // 32767.5 is 65535 / 2
     gabor_vec2 tint = mean * boards.hue_variation * (gabor_vec2(float(other & 65535u), float(other >> 16u)) / 32767.5f - 1.0f);
     return GaborBoard{gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
                       gabor_derived_seed(word, 0), turn, 1.0f - boards.shade_variation * dark, tint,
@@ -218,7 +219,8 @@ GABOR_INLINE GaborBoard gabor_board(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, 
 // How the logarithms of red, green and blue change with that of red over green, while the luminance of grey stays and
 // blue changes half as much as red.
 GABOR_INLINE gabor_vec3 gabor_impl_hue() {
-    return gabor_vec3(0.7419857f, -0.2580143f, 0.3709928f); // 0.7152 / 0.9639, that minus 1, and its half
+    // 0.7152 / 0.9639, 1 - 0.7152 / 0.9639, and 0.3576 / 0.9639
+    return gabor_vec3(0.7419857f, -0.2580143f, 0.3709928f);
 }
 
 GABOR_INLINE GaborMaterial gabor_laid(GaborMaterial material, GaborBoard board, GaborBoards boards) {

@@ -190,6 +190,7 @@ fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoard
     let free = 1.0 - vec2f(across.x, along.x); // of a joint along each axis
     let dark = 0.5 + mean * (f32(random >> 16u) / 65535.0 - 0.5);
     let other = gabor_derived_seed(word, 2);
+    // 32767.5 is 65535 / 2
     let tint = mean * boards.hue_variation * (vec2f(f32(other & 65535u), f32(other >> 16u)) / 32767.5 - 1.0);
     return GaborBoard(gabor_impl_product(local, back), gabor_impl_product(dx, back), gabor_impl_product(dy, back),
                       gabor_derived_seed(word, 0), turn, 1.0 - boards.shade_variation * dark, tint,
@@ -200,7 +201,8 @@ fn gabor_board(p: vec2f, dx: vec2f, dy: vec2f, period: vec2f, boards: GaborBoard
 // How the logarithms of red, green and blue change with that of red over green, while the luminance of grey stays and
 // blue changes half as much as red.
 fn gabor_impl_hue() -> vec3f {
-    return vec3f(0.7419857, -0.2580143, 0.3709928); // 0.7152 / 0.9639, that minus 1, and its half
+    // 0.7152 / 0.9639, 1 - 0.7152 / 0.9639, and 0.3576 / 0.9639
+    return vec3f(0.7419857, -0.2580143, 0.3709928);
 }
 
 fn gabor_laid(material: GaborMaterial, board: GaborBoard, boards: GaborBoards) -> GaborMaterial {

@@ -597,7 +597,8 @@ PLAIN = {  # nodes that need no more than Node checks: the texts that their file
     "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": [
                       "gabor_noise.glsl", "gabor_erosion.glsl", "gabor_fractal.glsl",
                       *(f"passes/{name}.glsl" for name in ("ground", "ranges", "landscape", "srgb"))],
-                  "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"], "gabor_fractal.frag": ["gabor_noise.glsl", "gabor_fractal.glsl"]},
+                  "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_fractal.glsl", "gabor_ocean.glsl", "passes/srgb.glsl", "passes/seascape.glsl"],
+                  "gabor_fractal.frag": ["gabor_noise.glsl", "gabor_fractal.glsl"]},
     "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"],
               "gabor_fractal.slang": ["translations/gabor_noise.hlsl", "translations/gabor_fractal.hlsl"]},
     "three": {},
