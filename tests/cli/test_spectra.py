@@ -47,7 +47,7 @@ class Spectra(SpectraTest):
             self.assert_same_bits(again.pixels, first.pixels)
 
     def test_presets(self):
-        listed = re.search(r"other options from a preset: (.*?), or a file", self.succeed("render", "--help"), re.DOTALL)[1]
+        listed = re.search(r"other options from a preset: (.*?),\s+or\s+a\s+file", self.succeed("render", "--help"), re.DOTALL)[1]
         self.assertGreaterEqual(len(listed.split(",")), 41)
         height = self.render(preset="wood", size="96x64").channels["height"]
         self.assertTrue(np.isfinite(height).all())
