@@ -13,6 +13,7 @@ from png import read_colour_png, read_deep_png
 
 WINDOW = "--window", "820x700"
 VIEW = 456 # the view's width, without the panels
+PRESETS = pathlib.Path(__file__).resolve().parents[2] / "host/render/request/presets"
 KINDS = "a picture", "an animation", "a texture", "a set of maps" # the list of what to export
 ANIMATION, TEXTURE, MAPS = 1, 2, 3
 
@@ -37,10 +38,10 @@ class Workshop(EventsTest):
         self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the fifth in the first group, after four kinds of wood. Each picture has its name over its lower edge.
-        left, top = 14 + 4 * 136, 60
+        # Bark is the sixth in the first group, after five kinds of wood. Each picture has its name over its lower edge.
+        left, top = 14 + 5 * 136, 60
         seen = self.screen(left, top, 128, 100)
-        preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
+        preset = self.preset("bark.json", **json.loads((PRESETS / "bark.json").read_text()) | {"width": 128, "height": 128, "scale": 32})
         self.gabor("render", "--like", preset, "-o", "bark.png")
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100])[4:, 4:-4]
         print(f"bark differs from its picture by {off.mean():.1f} of 255; its standard deviation is {seen.std():.1f}")
