@@ -85,7 +85,7 @@ def flat(result):
     """Returns a material's values as channels along a last axis."""
     if not isinstance(result, dict):
         return result
-    return np.concatenate([part if name in ("colour", "slope", "shift", "lost") else part[..., None] for name, part in result.items()], -1)
+    return np.concatenate([part if name in ("colour", "slope", "shift", "lost", "velocity") else part[..., None] for name, part in result.items()], -1)
 
 
 def points(function, fixed):
@@ -119,7 +119,8 @@ class Arrays(unittest.TestCase):
                 self.check(gn.terrain, POINTS, name, values, False)
 
     def test_each_parameter_of_each_material(self):
-        self.assertGreaterEqual(len(MATERIALS), 11)
+        functions = re.findall(r"(?m)^GaborMaterial gabor_(\w+)_filtered_at\(", gn.source("materials"))
+        self.assertCountEqual(MATERIALS, [name.replace("_", "-") for name in functions])
         x, y = (each.ravel() for each in np.broadcast_arrays(*gn.grid((24, 24), 6)))
         lines = re.findall(r"^    (\S+):$|^        (\w+): .*?(?:, (-?[\d.]+) to ([\d.]+))? \[", gn.material.__doc__, re.MULTILINE)
         tested = 0

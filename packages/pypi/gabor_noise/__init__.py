@@ -400,14 +400,14 @@ def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0
     parameters: of the material, such as wood. Angles are in radians.
     """
     kernel = str(name).replace("-", "_")
-    if kernel not in MEMBERS or kernel in ("terrain", "eroded"):
+    if kernel.replace("_", "-") not in _MATERIALS:
         raise refuse("name", name, f"one of {', '.join(_MATERIALS)}")
     values = evaluate(kernel, locals(), members(kernel, parameters, f"material({name!r})"))
     return {"colour": values[..., :3], "height": values[..., 3], "slope": values[..., 4:6], "roughness": values[..., 6],
             "metalness": values[..., 7], "lost": values[..., 8:]}
 
 
-_MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrain", "eroded")]
+_MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrain", "eroded", "water", "water_height")]
 
 
 # ---- The sea -------------------------------------------------------------------------------------------------------
