@@ -9,7 +9,9 @@
 namespace gabor::image {
 
 /// Compresses bytes to a zlib stream (RFC 1950 and 1951) of runs and Huffman codes alone: on noise, other
-/// matches save little and take most of the time.
+/// matches save little and take most of the time. For the EXR of maps of wood, zlib needs 2.1 times as long
+/// with Z_RLE, for 9 % more bytes, and 4.3 times for as few; libdeflate, which cannot write a stream in
+/// parts, 1.5 times.
 class Deflater {
   public:
     Deflater();
