@@ -466,7 +466,7 @@ TEST_CASE("each key does what the page of keys says, or says why it cannot") {
         const NoWindow none;
         auto session = std::make_unique<Session>(document_from_json(json), "");
         session->view = {800, 600};
-        ImGui::GetIO().KeyCtrl = ctrl;
+        dear_imgui::set_modifiers(ctrl, false);
         for (const int key : keys) {
             press(key, [&] { handle_input(*session, 800, 600); });
             session->history.commit();
@@ -534,11 +534,11 @@ TEST_CASE("each key does what the page of keys says, or says why it cannot") {
             session.document().request.seed = i;
             session.history.commit();
         }
-        ImGui::GetIO().KeyCtrl = true;
+        dear_imgui::set_modifiers(true, false);
         for (const int key : keys)
             press(key, [&] { handle_input(session, 800, 600); });
         CHECK(session.document().request.seed == seed);
-        ImGui::GetIO().KeyShift = true; // now Z goes forwards
+        dear_imgui::set_modifiers(true, true); // now Z goes forwards
         press(GLFW_KEY_Z, [&] { handle_input(session, 800, 600); });
         CHECK(session.document().request.seed == std::min(seed + 1, 2u));
     }
