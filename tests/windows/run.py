@@ -44,6 +44,9 @@ def run(part):
 
 
 parts = sys.argv[1:] or PARTS
+if unknown := set(parts) - set(PARTS):
+    print(f"{min(unknown)} is no part: expected {', '.join(PARTS)}", file=sys.stderr)
+    sys.exit(2)
 passed, skipped, failed = map(sum, zip(*map(run, parts)))
 print(f"{len(parts)} parts: {passed} tests passed, {skipped} skipped, {failed} failed")
 sys.exit(failed > 0 or passed == 0)
