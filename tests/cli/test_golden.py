@@ -99,7 +99,10 @@ class Golden(ProgramTest):
             of, _, numbers = expected.rpartition(": ")
             self.assertEqual(name, of)
             wanted = np.array(numbers.split()[1:], dtype=float)
-            tolerance = 1e-5 if windows else next((t for kind, t in TOLERANCES.items() if kind in name.rpartition(": ")[2]), 4e-5)
+            # Where rays graze the ground, another compiler's rounding moves what they hit: with LLVM 20 instead of 15, by up to
+            # 1e-4 in height and 6e-4 in colour, at two of 384 pixels.
+            kinds = {"all": 3e-3} if "--view=landscape" in name else TOLERANCES
+            tolerance = 1e-5 if windows else next((t for kind, t in kinds.items() if kind in name.rpartition(": ")[2]), 4e-5)
             self.assertLessEqual(np.abs(sums(name, values) - wanted).max(), tolerance, name)
 
 
