@@ -178,8 +178,9 @@ void draw_maps(const vulkan::Device& device, const Request& request, double metr
     const std::size_t row_values = static_cast<std::size_t>(request.width) * map_channels.size();
     std::vector<float> waiting; // rows whose occlusion needs heights that are not drawn yet
     const auto add_rows = [&](std::span<const float> pixels) {
-        waiting.resize(waiting.size() + pixels.size() / channels * map_channels.size());
-        float* next = &*waiting.end() - pixels.size() / channels * map_channels.size();
+        const std::size_t before = waiting.size();
+        waiting.resize(before + pixels.size() / channels * map_channels.size());
+        float* next = waiting.data() + before;
         for (std::size_t i = 0; i < pixels.size(); i += channels, next += map_channels.size())
             set_maps(pixels.subspan(i, channels), terrain, unit, next);
     };
