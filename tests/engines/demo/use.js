@@ -237,6 +237,23 @@ async function useButtons() {
         wrong("it copies another text");
 }
 
+async function useSave(pixels) {
+    showTab("noise", { look: "colours" });
+    frame();
+    const { click } = HTMLAnchorElement.prototype;
+    let saved = null;
+    HTMLAnchorElement.prototype.click = function () { saved = [this.href, this.download]; };
+    element("save").click();
+    await until(() => saved, "saves a picture");
+    HTMLAnchorElement.prototype.click = click;
+    const picture = await createImageBitmap(await (await fetch(saved[0])).blob(), { colorSpaceConversion: "none" });
+    const context = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT }).getContext("2d");
+    context.drawImage(picture, 0, 0);
+    compare(`the saved ${saved[1]}`, context.getImageData(0, 0, picture.width, picture.height).data, flipped(pixels()), 0);
+    if (saved[1] !== "gabor-noise.png")
+        wrong(`it saves ${saved[1]}`);
+}
+
 // Says that it compiles while it does. Draws from coarse to fine in bands, and coarsely what moves; where the driver loses all, draws
 // again; and shows a compiler's errors.
 async function useGraphics(pixels) {
@@ -315,4 +332,5 @@ async function usePage(pixels) {
     usePlane();
     await usePictures();
     await useButtons();
+    await useSave(pixels);
 }
