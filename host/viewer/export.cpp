@@ -68,7 +68,8 @@ ExportTarget ExportTarget::of(const Document& document) const {
     target.folder = folder.empty() ? name : folder;
     target.of_noise = !render::is_surface(request.kind);
     target.coloured = request.colour.has_value();
-    target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
+    const bool maps = !target.of_noise && (request.kind == render::Kind::material || request.view.is_flat());
+    target.as = chosen.value_or(maps ? ExportAs::maps : ExportAs::picture);
     if (target.as == ExportAs::maps && !can_export_maps(request))
         target.as = ExportAs::picture;
     return target;

@@ -39,7 +39,8 @@ enum class ExportAs { picture, frames, texture, maps };
 struct ExportTarget {
     std::string path = {};   ///< frames are numbered: NAME.0001.exr; empty for the document's name
     std::string folder = {}; ///< folder for maps; empty for the document's name
-    std::optional<ExportAs> chosen = {}; ///< if not set, maps for a material and a picture for noise
+    std::optional<ExportAs> chosen =
+        {}; ///< if not set, maps for a material and land from above, and a picture for the rest
     ExportAs as = ExportAs::picture;
     bool of_noise = false; ///< whether the maps show noise instead of a material
     bool coloured = false; ///< whether the noise has the colours of a photograph

@@ -3,6 +3,7 @@
 #include "image/picture.hpp"
 #include "render/request/load.hpp"
 #include "render/request/material.hpp"
+#include "viewer/display.hpp"
 #include "viewer/embedded.hpp"
 #include "viewer/widgets.hpp"
 
@@ -51,6 +52,41 @@ std::vector<Group> grouped_presets() {
                 if (kinds[i] == kind)
                     group.presets.push_back(i);
     return groups;
+}
+
+// Noises to begin with, which have no picture.
+struct Start {
+    const char* name;
+    const char* words; ///< that find it, besides its name
+    const char* shape; ///< of fractal noise
+    Output output = Output::value;
+    std::vector<ColourStop> ramp = {};
+};
+const std::vector<Start> starts{{"noise", "plain gabor", "none"},
+                                {"clouds",
+                                 "cloud sky fbm fractal perlin",
+                                 "fbm",
+                                 Output::value,
+                                 {{0, {0.2f, 0.42f, 0.75f}},
+                                  {0.5f, {0.25f, 0.47f, 0.78f}},
+                                  {0.62f, {1, 1, 1}},
+                                  {1, {0.62f, 0.66f, 0.72f}}}},
+                                {"billows", "billow fractal", "billow", Output::lit},
+                                {"ridges", "ridged fractal", "ridged", Output::lit}};
+
+Document document_of_start(const Start& start) {
+    Document document = document_of({});
+    set_parameter(document, "fractal", start.shape);
+    if (document.request.kind == render::Kind::fractal) {
+        document.request.scale = 128;
+        document.request.fractal.octaves = 7;
+    }
+    document.output = start.output;
+    if (!start.ramp.empty()) {
+        document.colours = passes::own_colours;
+        document.ramp = start.ramp;
+    }
+    return document;
 }
 
 // A space, and the words in lower case.
@@ -113,7 +149,12 @@ Gallery gallery_window(Session& session, float width, float height) {
     const auto found = [&](const Group& group, std::size_t preset) {
         return words_found(session.search, fmt::format("{} {}", group.title, presets[preset].name));
     };
+    const auto noises_found = [&](const Start& start) {
+        return words_found(session.search, fmt::format("{} {}", start.name, start.words));
+    };
     int most = 0;
+    for (const Start& start : starts)
+        most = std::max(most, noises_found(start));
     for (const Group& group : groups)
         for (const std::size_t preset : group.presets)
             most = std::max(most, found(group, preset));
@@ -124,6 +165,20 @@ Gallery gallery_window(Session& session, float width, float height) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     bool first = true;
+    bool noises = false;
+    for (const Start& start : starts) {
+        if (noises_found(start) < most)
+            continue;
+        if (!std::exchange(noises, true))
+            ImGui::TextDisabled("Noises");
+        else
+            ImGui::SameLine();
+        if (ImGui::Button(start.name, {gallery.picture_side, 0}) ||
+            (entered && std::exchange(first, false))) {
+            open_document(session, document_of_start(start), start.name);
+            session.gallery = false;
+        }
+    }
     for (const Group& group : groups) {
         bool titled = false;
         for (const std::size_t preset : group.presets) {

@@ -308,8 +308,10 @@ void export_panel(Session& session) {
     const ExportTarget now = target.of(session.document());
     ExportAs as = now.as;
     const std::size_t forms = can_export_maps(request) ? std::size(exports) : std::size(exports) - 1;
-    if (choose("kind", as, std::span(exports).first(forms), export_tips))
+    if (choose("kind", as, std::span(exports).first(forms), export_tips)) {
         target.chosen = as;
+        session.exporting_asked = true; // the section changes its height
+    }
     if (as == ExportAs::maps) {
         auto power = static_cast<float>(std::bit_width(static_cast<unsigned>(target.map_side)) - 1);
         if (slider("side", power, 8, 13, fmt::format("{} pixels", target.map_side).c_str()))
@@ -395,7 +397,7 @@ void start_buttons(Session& session) {
         copy_glsl(session);
     tooltip("Ctrl C: copy GLSL that draws this view");
     ImGui::SameLine();
-    session.exporting_asked = ImGui::Button("Export", {other, 0});
+    session.exporting_asked |= ImGui::Button("Export", {other, 0});
     tooltip("Pictures, animations, textures, and sets of maps");
 }
 
@@ -442,11 +444,11 @@ void side_panel(Session& session) {
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons
     if (!std::exchange(session.scrolled_back, true))
         ImGui::SetScrollY(0);
-    ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
+    ImGui::PushItemWidth(-9.4f * ImGui::GetFontSize());
     for (const Section& section : sections) {
         if (!section.applies)
             continue;
-        const bool asked = session.exporting_asked && section.panel == export_panel;
+        const bool asked = section.panel == export_panel && std::exchange(session.exporting_asked, false);
         if (asked)
             ImGui::SetNextItemOpen(true);
         if (!ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0))

@@ -176,18 +176,22 @@ void open_file(Session& session, const std::string& path) {
 
 void open_preset(Session& session, const std::string& path) {
     attempt(session, [&] {
-        Document document = load_document(path, session.history.now);
         const bool file = std::filesystem::is_regular_file(path); // a folder may be named like a preset
-        document.path = json_path(path).string();
-        document.origin = file ? std::filesystem::absolute(path) : "";
-        document.photograph.clear();
-        session.fitter.close();
-        reset_panel(session);
-        session.history.now = session.saved = document;
+        open_document(session, load_document(path, session.history.now), path);
+        session.history.now.origin = session.saved.origin = file ? std::filesystem::absolute(path) : "";
         if (file)
             add_recent(session, path);
-        notify(session, fmt::format("opened {}", path));
     });
+}
+
+void open_document(Session& session, Document document, const std::string& path) {
+    document.path = json_path(path).string();
+    document.origin.clear();
+    document.photograph.clear();
+    session.fitter.close();
+    reset_panel(session);
+    session.history.now = session.saved = document;
+    notify(session, fmt::format("opened {}", path));
 }
 
 bool has_file(const Document& document) {

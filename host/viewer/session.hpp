@@ -87,6 +87,8 @@ struct Session {
 /// Opens a preset, or fits a noise to a photograph.
 void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
+/// Opens a document that has no file, under this name.
+void open_document(Session& session, Document document, const std::string& path);
 /// Names the next export after the document, and scrolls the panel to its top.
 void reset_panel(Session& session);
 /// Tells whether Save writes to a file that the document was read from or saved to before.

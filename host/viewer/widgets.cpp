@@ -48,8 +48,9 @@ bool number_slider(const char* label, double& value, const render::Range& range,
                    double by_default) {
     auto shown = static_cast<float>(value);
     const ImGuiSliderFlags logarithmic = usual.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
+    const char* const format = std::abs(shown) < 1000 ? "%.3g" : "%.0f"; // kilometres as metres, not 2e+05
     const bool moved = slider(label, shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
-                              "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+                              format, logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     if (reset_asked(label)) {
         const bool changed = value != by_default;
         value = by_default;

@@ -306,6 +306,48 @@ TEST_CASE("the gallery shows each preset once, and finds words of names and grou
     }
 }
 
+TEST_CASE("the gallery opens noises, which searching finds by what they draw") {
+    const NoWindow none;
+    const auto opened = [](const std::string& search, const char* name) {
+        Session session(document_from_json(R"({"view": "ocean"})"), "");
+        Gallery gallery;
+        for (int frame = 0; frame < 6; ++frame) {
+            session.gallery = session.gallery || frame == 0;
+            ImGui::ClearActiveID(); // while the field has the focus, it keeps its own text
+            session.search = search;
+            ImGui::NewFrame();
+            if (const Gallery shown = gallery_window(session, 1000, 4000); frame < 4)
+                gallery = shown;
+            ImGui::Begin("presets");
+            ImGui::BeginChild("pictures");
+            if (frame == 3)
+                dear_imgui::activate(ImGui::GetID(name));
+            ImGui::EndChild();
+            ImGui::End();
+            ImGui::EndFrame();
+        }
+        CHECK(gallery.pictures.empty()); // no preset is found
+        CHECK_FALSE(session.gallery);
+        CHECK(session.message.text == fmt::format("opened {}", name));
+        CHECK(session.document().path == fmt::format("{}.json", name));
+        CHECK(session.document() == session.saved);
+        return session.document();
+    };
+    CHECK(opened("noise", "noise").request == render::Request());
+    const Document clouds = opened("sky", "clouds");
+    CHECK(clouds.request.kind == render::Kind::fractal);
+    CHECK(clouds.colours == passes::own_colours);
+    CHECK(clouds.ramp.front().colour[2] > 2 * clouds.ramp.front().colour[0]); // the sky is blue
+    CHECK(opened("billow", "billows").request.fractal.shape == 2);
+    CHECK(opened("ridges", "ridges").output == Output::lit);
+}
+
+TEST_CASE("sliders show thousands without an exponent") {
+    const std::string text = panel_text(document_from_json(R"({"view": "ocean", "fetch": 200000})"));
+    CHECK(text.find("200000") != std::string::npos);
+    CHECK(text.find("e+") == std::string::npos);
+}
+
 TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles outside a slider's range are "
           "shown inside it") {
     Document document = document_of({});

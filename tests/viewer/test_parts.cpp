@@ -349,7 +349,9 @@ TEST_CASE("an export has the document's name, and the form and files that were c
     for (const auto& [json, target, as] :
          {std::tuple(noise, ExportTarget(), ExportAs::picture),
           {wood, ExportTarget(), ExportAs::maps},
-          {R"({"view": "landscape"})", ExportTarget(), ExportAs::maps},
+          {R"({"view": "terrain"})", ExportTarget(), ExportAs::maps},
+          {R"({"view": "landscape"})", ExportTarget(), ExportAs::picture},
+          {R"({"view": "landscape"})", chosen(ExportAs::maps), ExportAs::maps},
           {R"({"view": "ocean"})", ExportTarget(), ExportAs::picture},
           {R"({"view": "sphere", "material": "wood"})", ExportTarget(), ExportAs::picture},
           {R"({"view": "slice"})", chosen(ExportAs::maps), ExportAs::picture},

@@ -2,7 +2,8 @@
 // run.mjs chrome|firefox PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
 // If there are scripts, opens the page from its file and adds the scripts to it, joined into one. The page sets
 // globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are
-// for Chromium. The driver's name must contain DRIVER, since browsers may silently choose another driver.
+// for Chromium. The driver's name must contain DRIVER, since browsers may silently choose another driver. tools/test-engines ends this
+// process after GABOR_SECONDS, but not the browser.
 
 import { execFile } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
@@ -17,6 +18,7 @@ const root = fileURLToPath(new URL("../../..", import.meta.url));
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript" };
 const [name, pages, output, wanted = "", ...flags] = process.argv.slice(2);
 const [page, ...scripts] = pages.split(",");
+const limit = 1000 * (process.env.GABOR_SECONDS ?? 600);
 const angle = flags.some(flag => flag.startsWith("--use-angle")) ? [] : ["--use-angle=swiftshader"];
 
 const server = createServer(async (request, response) => {
@@ -55,7 +57,7 @@ async function hlslInGlsl(text) {
 
 await new Promise(resolve => server.listen(0, "localhost", resolve));
 
-const browser = await puppeteer.launch({ protocolTimeout: 600000, ...name === "firefox" ? {
+const browser = await puppeteer.launch({ protocolTimeout: limit, ...name === "firefox" ? {
     browser: "firefox",
     executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr",
     extraPrefsFirefox: { "webgl.force-enabled": true },
@@ -65,10 +67,13 @@ const browser = await puppeteer.launch({ protocolTimeout: 600000, ...name === "f
            "--disable-component-update", "--disable-sync", ...angle, ...flags,
            "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
 } });
-// tools/test-engines ends this process after 600 s, but not the browser.
-setTimeout(() => browser.close(), 580000).unref();
 try {
     const tab = await browser.newPage();
+    setTimeout(async () => {
+        const waiting = tab.evaluate(() => globalThis.waiting).catch(() => ""), busy = new Promise(resolve => setTimeout(resolve, 5000));
+        console.error(`The page is not done after ${limit / 1000} s. It waits ${await Promise.race([waiting, busy]) ?? ""}`);
+        await browser.close();
+    }, limit - 20000).unref();
     await tab.setViewport({ width: 1280, height: 720 });
     const messages = [];
     tab.on("console", message => messages.push(message.text()));

@@ -1,11 +1,11 @@
 // Uses docs/demo/index.html as people do, and checks what it then draws, copies and writes to its address. measure.js calls usePage;
-// each check waits for states of the page, never for times.
+// each check waits for states of the page, never for times: waiting says for which, and run.mjs says it where the page hangs.
 const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 const wrong = text => { throw new Error(`${state.tab}: ${text}`); };
 async function until(test, what) {
-    for (const end = performance.now() + 120000; !test(); await pause(20))
-        if (performance.now() > end)
-            wrong(`it never ${what}`);
+    for (globalThis.waiting = `until ${state.tab} ${what}`; !test(); )
+        await pause(20);
+    globalThis.waiting = "";
 }
 const near = (a, b, error = 1e-9) => Math.hypot(...a.map((value, i) => value - b[i])) < error;
 const element = id => document.getElementById(id);
@@ -72,7 +72,8 @@ function useControls() {
         const drawn = (input.type === "range" ? [at(input, 0.3), at(input, 0.6)] : ["#3a7f05", "#05307f"]).map(value => {
             give(input, value);
             const control = tab().controls.find(each => each.name === input.name), shown = input.parentElement.querySelector("output");
-            if (values()[input.name] !== value || shown && shown.textContent !== +value.toPrecision(3) + control.unit)
+            const told = shown?.textContent.replace(/(.*) km/, (_, number) => `${1000 * number} m`);
+            if (values()[input.name] !== value || shown && told !== +value.toPrecision(3) + control.unit)
                 wrong(`${input.name} is ${values()[input.name]}, and shown as ${shown?.textContent}, instead of ${value}`);
             return frame();
         });
@@ -236,6 +237,23 @@ async function useButtons() {
         wrong("it copies another text");
 }
 
+async function useSave(pixels) {
+    showTab("noise", { look: "colours" });
+    frame();
+    const { click } = HTMLAnchorElement.prototype;
+    let saved = null;
+    HTMLAnchorElement.prototype.click = function () { saved = [this.href, this.download]; };
+    element("save").click();
+    await until(() => saved, "saves a picture");
+    HTMLAnchorElement.prototype.click = click;
+    const picture = await createImageBitmap(await (await fetch(saved[0])).blob(), { colorSpaceConversion: "none" });
+    const context = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT }).getContext("2d");
+    context.drawImage(picture, 0, 0);
+    compare(`the saved ${saved[1]}`, context.getImageData(0, 0, picture.width, picture.height).data, flipped(pixels()), 0);
+    if (saved[1] !== "gabor-noise.png")
+        wrong(`it saves ${saved[1]}`);
+}
+
 // Says that it compiles while it does. Draws from coarse to fine in bands, and coarsely what moves; where the driver loses all, draws
 // again; and shows a compiler's errors.
 async function useGraphics(pixels) {
@@ -314,4 +332,5 @@ async function usePage(pixels) {
     usePlane();
     await usePictures();
     await useButtons();
+    await useSave(pixels);
 }
