@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace gabor::image {
@@ -39,12 +40,21 @@ std::vector<double> unit_beside(const std::filesystem::path& map, std::vector<st
     return {};
 }
 
+// The number that a word is; "nan", which GDAL writes for no height, is one.
+std::optional<double> value_of(const std::string& word) {
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto found = system::from_chars(word.data() + (word[0] == '+'), end, value);
+    return found.ec == std::errc() && found.ptr == end ? std::optional(value) : std::nullopt;
+}
+
 // https://desktop.arcgis.com/en/arcmap/latest/manage-data/raster-and-images/esri-ascii-raster-format.htm
 class Asc : public PictureReader {
   public:
     Asc(const std::filesystem::path& path, File file) : path_(path), file_(std::move(file)) {
         std::map<std::string, double> header{{"nodata_value", -9999}};
-        for (word_ = next(); !word_.empty() && std::isalpha(static_cast<unsigned char>(word_[0]));
+        for (word_ = next();
+             !word_.empty() && std::isalpha(static_cast<unsigned char>(word_[0])) && !value_of(word_);
              word_ = next()) {
             if (header.size() > 16)
                 refuse_picture(path_, "it has a header of more than 16 lines");
@@ -104,12 +114,10 @@ class Asc : public PictureReader {
     double number(const std::string& word) const {
         if (word.empty())
             refuse_picture(path_, "it ends early");
-        double value = 0;
-        const char* const end = word.data() + word.size();
-        if (const auto found = system::from_chars(word.data() + (word[0] == '+'), end, value);
-            found.ec != std::errc() || found.ptr != end)
+        const std::optional<double> value = value_of(word);
+        if (!value)
             refuse_picture(path_, fmt::format("'{}' is not a number", word));
-        return value;
+        return *value;
     }
 
     std::filesystem::path path_;

@@ -63,8 +63,8 @@ struct GaborMaterial {
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
 // Far away, their slopes and `lost` have 0.8 to 1.25 times the energy of the plain slopes. `period` is in units of p,
-// vec2(0.0) for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that
-// fit it.
+// along both axes, or vec2(0.0) for none: a period holds a whole number of rings or threads, and scratches and hair
+// snap to directions that fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark

@@ -117,8 +117,7 @@ struct GaborWater {
 //     its wind [MO80], at most 0.3, and at most 0.0015 below 6 m/s. dx and dy of vec2(0.0) are for a point.
 // GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, vec2 dx, vec2 dy, GaborOcean ocean,
 //                            uint seed)
-//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
-//     of
+//     At the position cell + local in metres, after second + fraction: exact for years and anywhere. dx and dy of
 //     vec2(0.0) do not filter.
 
 // [BGR85] Bouws, Gunther, Rosenthal, Vincent: Similarity of the wind wave spectrum in finite depth water, 1985. [CM54]

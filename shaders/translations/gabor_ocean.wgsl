@@ -105,8 +105,7 @@ struct GaborWater {
 //     its wind [MO80], at most 0.3, and at most 0.0015 below 6 m/s. dx and dy of vec2f(0.0) are for a point.
 // fn gabor_water_at(cell: vec2i, local: vec2f, second: i32, fraction: f32, dx: vec2f, dy: vec2f, GaborOcean ocean, -> GaborWater
 //                            u32 seed)
-//     At the position cell + local in metres, after whole_seconds + fraction: exact for years and anywhere. dx and dy
-//     of
+//     At the position cell + local in metres, after second + fraction: exact for years and anywhere. dx and dy of
 //     vec2f(0.0) do not filter.
 
 // [BGR85] Bouws, Gunther, Rosenthal, Vincent: Similarity of the wind wave spectrum in finite depth water, 1985. [CM54]

@@ -107,7 +107,7 @@ class GeoTiff(HeightmapTest):
                 wide, high = metres_per_degree(latitude)
                 np.testing.assert_allclose(found, [80 * step * wide, 60 * step * high], rtol=2e-6, err_msg=f"{latitude}")
                 self.assertIn("in m", self.said)
-        for unit, degrees in (9101, 180 / np.pi), (9104, 1 / 3600), (9105, 0.9):
+        for unit, degrees in (9101, 180 / np.pi), (9104, 1 / 3600), (9105, 0.9), (9106, 0.9):
             found = self.extent(t33550=("d", step / degrees, step / degrees, 0), t33922=("d", 40, 30, 0, 0, 45 / degrees, 0), t34735=keys(DEGREES, k2054=unit))
             np.testing.assert_allclose(found, np.multiply(metres_per_degree(45), (80 * step, 60 * step)), rtol=2e-6, err_msg=f"{unit}")
         found = self.extent(t33550=("d", step, step, 0), t33922=("d", 40, 30, 0, 6, 45, 0))
@@ -252,6 +252,12 @@ class Reading(HeightmapTest):
             self.assert_read(heights, extent, "map.asc")
         (self.folder / "map.asc").write_text("ncols 8\nnrows 6\nxllcenter 0\nyllcenter 0\ndx 2\ndy 3\n" + text.replace("\n", " "))
         self.assert_read(heights, [16, 18], "map.asc")
+        (self.folder / "map.asc").write_text(header.format(0, 0, 1).replace("-1", "nan") + "nan" + text[text.index(" "):].replace("-1", "nan"))
+        self.succeed("erode", "map.asc", "-o", "out.tif", "--octaves=0")  # as an EXR of these tests must be finite
+        with PIL.Image.open(self.folder / "out.tif") as image:
+            there = np.array(image)
+        self.assertTrue(np.isnan(there[[0, 2], [0, 3]]).all())
+        np.testing.assert_array_equal(np.where(np.isnan(there), heights, there), heights)
         good = header.format(0, 0, 1) + text
         for bad, words in ((good[:-30], "ends early"), (good + " 7", "more heights"), (good.replace("500", "5oo", 1), "'5oo' is not a number"),
                            (good.replace("nrows 6", "nrows 0"), "ncols and nrows"), (good.replace("cellsize 1", ""), "cellsize")):
@@ -260,7 +266,7 @@ class Reading(HeightmapTest):
 
     def test_npy(self):
         for kind in "<f4", ">f4", "<f8", "<i2", ">i2", "<u2", "<i4", "<i8", "i1", "u1":
-            values = (hills() / 10).astype(kind)
+            values = (hills() / 10 - (60 if "i" in kind else 0)).astype(kind)
             for version in (1, 0), (2, 0):
                 with open(self.folder / "map.npy", "wb") as file:
                     np.lib.format.write_array(file, values, version)
@@ -404,6 +410,17 @@ class Writing(HeightmapTest):
         for name in "out.tif", "out.exr", "out.r32":
             self.assert_refused(["--full-range", "16-bit", f"'{name}'"], "erode", "map.tif", "-o", name, "--full-range")
 
+    def test_heights_that_are_missing_as_nan_are_read_again(self):
+        self.heights[self.heights == -9999] = np.nan
+        write_tiff(self.folder / "map.tif", self.heights, **self.tags | {"t42113": ("s", b"nan")})
+        for name, size in ("out.r32", ["--size=80x60"]), ("out.png", []):
+            self.write(name)
+            self.succeed("erode", name, *size, "-o", "again.tif", "--octaves=0")
+            with PIL.Image.open(self.folder / "again.tif") as image:
+                again = np.array(image)
+                missing = np.float32(image.tag_v2[42113])
+            np.testing.assert_array_equal(np.isnan(self.heights), np.isnan(again) if np.isnan(missing) else again == missing)
+
     def test_heightmaps_of_terrain(self):
         terrain = ["render", "--view=terrain", "--size=64x48", "--extent=640", "--seed=3"]
         self.succeed(*terrain, "-o", "all.exr")
@@ -461,6 +478,17 @@ class Worlds(HeightmapTest):
             far.append(Exr(self.folder / "out.exr").channels["ridge"])
         self.assertGreater(far[0].std(), 0.2)
         self.assertGreater(np.abs(far[0] - far[1]).max(), 0.2)
+
+    def test_pixels_of_a_world_may_be_higher_than_wide(self):
+        heights = hills(90, 60)
+
+        def eroded(top):
+            write_exr(self.folder / "map.exr", {"Y": heights[top:]})
+            self.succeed("erode", "map.exr", "-o", "out.exr", f"--extent=1200,{40 * (90 - top)}", f"--offset=0,{top}", "--steepness=0.5", "--relief=0,1000", "--gully-width=300")
+            return Exr(self.folder / "out.exr").channels["ridge"][50 - top:]
+        whole, part = eroded(0), eroded(40)  # two thirds of a gully's width are 5 rows
+        self.assertGreater(whole.std(), 0.2)
+        np.testing.assert_allclose(part, whole, rtol=0, atol=1e-3)
 
     def test_refusals(self):
         write_exr(self.folder / "map.exr", {"Y": hills()})

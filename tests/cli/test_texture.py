@@ -77,6 +77,14 @@ class Levels(TextureTest):
             np.testing.assert_array_equal(a["Y"].astype(np.float16), b["Y"])
 
 
+    def test_frames_share_a_period_of_the_evolution(self):
+        given = ["texture", "--size=16", *NOISE, "--scale=8", "-o"]
+        self.succeed(*given, "out.exr", "--frames=2", "--evolution=0.25")
+        for frame, evolution in (1, 0.25), (2, 0.75):
+            self.succeed(*given, "one.exr", f"--evolution={evolution}")
+            self.assertEqual(self.files()[f"out.000{frame}.exr"], self.files()["one.exr"])
+
+
 class Joined(TextureTest):
     def levels(self, width, height, options, strips=3):
         """Renders level 0 in uneven strips and the other levels whole, down to the one whose shorter side is 1."""

@@ -646,6 +646,31 @@ TEST_CASE("joints cover no board more than once, however wide they are", "[mater
             }
 }
 
+TEST_CASE("each weave repeats without a seam", "[materials]") {
+    constexpr float near = 0.001953125f;
+    const Vec2 period(3, 3);
+    for (const float weave : {0.0f, 1.0f, 2.0f}) {
+        GaborFabric fabric = gabor_fabric_default();
+        fabric.weave = weave;
+        fabric.threads = 8;
+        const auto step = [&](float x, float y, Vec2 apart) {
+            const auto height = [&](float sign) {
+                return gabor_fabric_at({x + sign * apart.x, y + sign * apart.y}, period, fabric, 7).height;
+            };
+            return std::abs(height(1) - height(-1));
+        };
+        Random random(5);
+        double seam = 0, elsewhere = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const float along = random.uniform(0, 3), x = random.uniform(0, 3);
+            seam += step(0, along, {near, 0}) + step(along, 0, {0, near});
+            elsewhere += step(x, along, {near, 0}) + step(along, x, {0, near});
+        }
+        fmt::print("weave {}: steps at the seam {:.2f} times those elsewhere\n", weave, seam / elsewhere);
+        CHECK(seam < 1.5 * elsewhere);
+    }
+}
+
 TEST_CASE("scratches have the asked direction, in a tile one of 24", "[materials]") {
     GaborScratches scratches = gabor_scratches_default();
     scratches.direction_spread = 0;

@@ -627,6 +627,27 @@ TEST_CASE("a sea that loops is the same after a loop, bit by bit, and has the sa
     }
 }
 
+TEST_CASE("in a loop, each wave has a whole number of periods, and at least one", "[ocean]") {
+    for (const float wind : {12.0f, 30.0f}) {
+        const GaborOcean sea = ocean_of(wind, 0.8f, 1e6f, {3, 25, 0}, 8);
+        Moments means, heights;
+        for (int i = 0; i < 64; ++i) {
+            Moments there;
+            for (int k = 0; k < 64; ++k)
+                there.add(gabor_water_at({977 * i, 31 * i * i}, {0.5f, 0.5f}, k / 8, float(k % 8) / 8, {0, 0},
+                                         {0, 0}, sea, std::uint32_t(i))
+                              .height);
+            means.add(there.mean());
+            heights.merge(there);
+        }
+        fmt::print(
+            "wind {}: means of a loop from {:.1e} to {:.1e} m, of heights with a deviation of {:.2f} m\n",
+            wind, means.minimum(), means.maximum(), std::sqrt(heights.variance()));
+        CHECK(std::max(-means.minimum(), means.maximum()) < 1e-4);
+        CHECK(heights.variance() > 1);
+    }
+}
+
 TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights and shifts", "[ocean]") {
     Random random(3);
     gabor::test::Largest slope, fold;

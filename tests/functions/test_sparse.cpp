@@ -246,6 +246,15 @@ TEST_CASE("gradients of the reference equal its finite differences", "[sparse][l
     }
 }
 
+TEST_CASE("a phase of the sparse noise is below 1, however little below a whole turn", "[sparse]") {
+    One n;
+    for (int bit = 1; bit < 120; ++bit) {
+        const float below = -std::exp2(static_cast<float>(-bit)),
+                    phase = n.gabor_turns_intensity({below, 1}).x;
+        CHECK((phase >= 0.5f && phase < 1));
+    }
+}
+
 TEST_CASE("frequencies outside the range are clamped", "[sparse]") {
     One n;
     const auto noise = [&](float frequency) { return n.gabor_noise({3.3f, 4.8f}, frequency, 0.3f, 5); };

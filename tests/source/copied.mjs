@@ -1,6 +1,6 @@
 // Prints as JSON what the demo page copies for each tab and each option: [what, language, code]. Elements are stand-ins that do
 // nothing: tools/test-engines demo uses the page in browsers.
-//   copied.mjs DOCS/demo/index.html [EXPRESSION]    prints the value of this expression of the page instead
+//   copied.mjs DOCS/demo/index.html [EXPRESSION]    prints the value of this expression of the page, or of its promise, instead
 
 import { readFileSync } from "node:fs";
 import vm from "node:vm";
@@ -37,4 +37,4 @@ const copies = `;(() => {
     }
     return JSON.stringify(copies);
 })()`;
-console.log(vm.runInNewContext(html.match(/<script>\n([^]*?)<\/script>/)[1] + (process.argv[3] ?? copies), scope));
+console.log(await vm.runInNewContext(html.match(/<script>\n([^]*?)<\/script>/)[1] + (process.argv[3] ?? copies), scope));

@@ -321,6 +321,40 @@ class Scripts(unittest.TestCase):
             for value, of in ((shown_x, x), (shown_y, y), (frequency * math.cos(angle), x), (frequency * math.sin(angle), y)):
                 self.assertAlmostEqual(value, of, delta=0.06, msg=f"{x}, {y}")
 
+    def test_a_tab_opens_with_its_own_view(self):
+        views = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() =>
+            JSON.stringify(Object.keys(TABS).map(name => {
+                Object.assign(state, { x: 9, y: 8, zoom: 7, yaw: 6, pitch: 0.5, distance: 2 });
+                showTab(name);
+                return [Object.keys(START).map(each => state[each]), Object.keys(START).map(each => start()[each])];
+            })))()"""))
+        for found, expected in views:
+            self.assertEqual(found, expected)
+
+    def test_stripes_follow_the_edges_of_a_dropped_picture(self):
+        angles = [10, 60, 120, 170]  # of the waves of the picture, from x towards y, which points down
+        found = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(async () => {{
+            const side = PAINTED_SIDE, found = [];
+            let pixels, painted;
+            createImageBitmap = () => ({{ width: side, height: side }});
+            document.createElement = () => ({{ getContext: () => ({{ fillRect() {{}}, drawImage() {{}}, getImageData: () => ({{ data: pixels }}) }}) }});
+            setDirection = (i, direction) => painted[i] = direction;
+            showTab = () => {{}};
+            for (const angle of {angles}) {{
+                painted = [];
+                pixels = [...Array(4 * side * side).keys()].map(k => {{
+                    const i = k >> 2, along = (i % side) * Math.cos(radians(angle)) + Math.floor(i / side) * Math.sin(radians(angle));
+                    return 128 + 100 * Math.sin(0.5 * along);
+                }});
+                await paintPicture();
+                const [x, y] = painted[side * side / 2 + side / 2];
+                found.push(Math.atan2(y, x) * 90 / Math.PI);
+            }}
+            return JSON.stringify(found);
+        }})()"""))
+        for angle, at in zip(angles, found, strict=True):
+            self.assertAlmostEqual((at - angle + 90) % 180, 90, delta=2)
+
     def test_copied_code_compiles(self):
         before = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
         shadertoy = "uniform vec3 iResolution;\nuniform float iTime;\nout vec4 shown;\n"

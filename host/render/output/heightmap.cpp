@@ -54,6 +54,8 @@ std::optional<MapScale> scale_beside(const std::filesystem::path& map) {
             scale.elevation = {json["elevation"].at(0), json["elevation"].at(1)};
         if (json.contains("missing") && json["missing"].is_number())
             scale.missing = json["missing"];
+        else if (json.contains("missing") && json["missing"].is_null()) // JSON has no NaN
+            scale.missing = std::numeric_limits<float>::quiet_NaN();
         const auto is_positive = [](double side) { return side > 0 && std::isfinite(side); };
         if (std::ranges::all_of(scale.extent, is_positive) &&
             (!scale.elevation || scale.elevation->low < scale.elevation->high))

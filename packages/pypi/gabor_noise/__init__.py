@@ -29,7 +29,7 @@ from typing import Any, Callable, Literal, Mapping, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, Seed, choice, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
+from ._arguments import MEMBERS, Seed, choice, evaluate, fill_grid, members, number, numbers, periods, refuse, sides, vector
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
@@ -396,12 +396,14 @@ def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel_size: ArrayLike = 0
     yy, xy along a last axis of 3). A picture of four by four units shows a material well.
 
     pixel_size: the pixel's sides, one number or a pair, over which to average; 0 for none.
-    period: as above; a short one compresses the material's large-scale variation.
+    period: as above, along both axes or neither; a short one compresses the material's large-scale variation.
     parameters: of the material, such as wood. Angles are in radians.
     """
     kernel = str(name).replace("-", "_")
     if kernel.replace("_", "-") not in _MATERIALS:
         raise refuse("name", name, f"one of {', '.join(_MATERIALS)}")
+    if sum(each > 0 for each in periods(period, 2, 2.0**-10)) == 1:
+        raise refuse("period", period, "one along both axes or neither")
     values = evaluate(kernel, locals(), members(kernel, parameters, f"material({name!r})"))
     return {"colour": values[..., :3], "height": values[..., 3], "slope": values[..., 4:6], "roughness": values[..., 6],
             "metalness": values[..., 7], "lost": values[..., 8:]}

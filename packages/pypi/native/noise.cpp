@@ -273,7 +273,7 @@ void fill_3d(const Block& block) {
     const std::vector<Input>& in = block.in;
     for (std::size_t i = 0; i < block.count; ++i) {
         const gabor_vec3 direction{in[9][i], in[10][i], in[11][i]};
-        const gabor_vec3 wave = in[8][i] * gabor_impl_unit(direction);
+        const gabor_vec3 wave = std::fabs(in[8][i]) * gabor_impl_unit(direction);
         block.put(0, i, gabor_field_3d(place_3d_of(block, i), wave, block.seed(7, i)).noise);
     }
 }
