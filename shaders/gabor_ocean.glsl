@@ -265,7 +265,7 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
     vec2 sum = vec2(0.0);
     float steps = 32.0 * gabor_impl_step_width(band.low, reach);
     vec2 edge = clamp(1.0 + 2.3 * blur / steps * (1.0 - beside), 0.3, 1.7);
-    for (int n = 0; n < 32; ++n) sum += gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea);
+    for (int j = 0; j < 32; ++j) sum += gabor_impl_step_sharp(j, band.low, reach, blur, edge, sea);
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
     vec3 first = vec3(0.0), second = vec3(0.0), to_first = vec3(0.0), to_second = vec3(0.0);
     vec3 ahead = vec3(1.0, 2.0, 3.0) / 6.0;
@@ -355,41 +355,50 @@ GaborOcean gabor_ocean_of(GaborSea state) {
     float along;
     GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch, ocean.water_depth);
     int first = int(floor(4.0 * log2(0.6 * sea.peak / GABOR_IMPL_TICK)));
-    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) { // half an octave of frequency each, but a quarter around the peak
+    GaborImplJonswap swell = GaborImplJonswap(1.0 / period, 1.0, 2.0794415, ocean.water_depth, 0.0); // ln 8
+    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
+    float k = gabor_impl_dispersion(swell.peak, ocean.water_depth).x;
+    // 17.363515 is 0.56 pi^3
+    height = min(height, 17.363515 / GABOR_IMPL_GRAVITY * swell.peak * swell.peak / (k * k));
+    ocean.swell = vec3(height, period, state.swell_direction);
+    float turn = gabor_impl_wave(0.15915494 * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
+    // One loop, and one that copies: FXC unrolls loops that write to an array in a struct, and took 40 times as long.
+    GaborOceanBand bands[GABOR_OCEAN_BANDS + 2];
+    for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
+        bool remote = i >= GABOR_OCEAN_BANDS, longer = i == GABOR_OCEAN_BANDS;
+        // Half an octave of frequency each, but a quarter around the peak.
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
+        float reach = 1024.0 * (high / low - 1.0);
         vec2 beside = vec2(i == 1 || i == 3 ? 0.65 : i == 2 ? 1.19 : 0.7, i == 1 ? 0.84 : i == 2 ? 1.54 : 1.41);
-        GaborOceanBand band = gabor_impl_band(low, 1024.0 * (high / low - 1.0), exponent, ocean.direction, beside, sea,
-                                              false, stands, along);
+        if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
+            low = 64.0 * floor((longer ? 0.0114 : 0.0161) * swell.peak / GABOR_IMPL_TICK + 0.5);
+            reach = longer ? 424.0 : 1024.0;
+            exponent = int(floor(log2((longer ? 9.0 : 4.5) * period * period)));
+            beside = longer ? vec2(1.0, 1.2) : vec2(0.8, 1.0);
+        }
+        GaborImplJonswap waves = sea;
+        if (remote) waves = swell;
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, remote ? ocean.swell.z : ocean.direction, beside,
+                                              waves, remote, stands, along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;
             band.slopes = vec2(0.0);
         }
-        ocean.band[i] = band;
-        ocean.tail -= band.slopes;
-        ocean.high += band.amplitude * band.amplitude * vec2(1.0, band.orbit * band.orbit * along);
-    }
-    ocean.tail = max(ocean.tail, 0.0);
-    GaborImplJonswap remote = GaborImplJonswap(1.0 / period, 1.0, 2.0794415, ocean.water_depth, 0.0); // ln 8
-    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
-    float k = gabor_impl_dispersion(remote.peak, ocean.water_depth).x;
-    // 17.363515 is 0.56 pi^3
-    height = min(height, 17.363515 / GABOR_IMPL_GRAVITY * remote.peak * remote.peak / (k * k));
-    ocean.swell = vec3(height, period, state.swell_direction);
-    float turn = gabor_impl_wave(0.15915494 * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
-    for (int i = 0; i < 2; ++i) { // from 0.73 to 1.03 and on to 2.06 times the peak
-        float low = 64.0 * floor((i == 0 ? 0.0114 : 0.0161) * remote.peak / GABOR_IMPL_TICK + 0.5);
-        int exponent = int(floor(log2((i == 0 ? 9.0 : 4.5) * period * period)));
-        vec2 beside = i == 0 ? vec2(1.0, 1.2) : vec2(0.8, 1.0);
-        GaborOceanBand band = gabor_impl_band(low, i == 0 ? 424.0 : 1024.0, exponent, ocean.swell.z, beside, remote,
-                                              true, stands, along);
-        float power = (i == 0 ? 0.0333 : 0.0292) * height * height; // in all 1/16
-        band.slopes *= power / (band.amplitude * band.amplitude);
-        band.amplitude = sqrt(power);
-        ocean.band[GABOR_OCEAN_BANDS + i] = band;
-        along = 1.0 - along + (2.0 * along - 1.0) * turn * turn;
+        float power = band.amplitude * band.amplitude;
+        if (remote) {
+            power = (longer ? 0.0333 : 0.0292) * height * height; // in all 1/16
+            band.slopes *= power / (band.amplitude * band.amplitude);
+            band.amplitude = sqrt(power);
+            along = 1.0 - along + (2.0 * along - 1.0) * turn * turn;
+        } else {
+            ocean.tail -= band.slopes;
+        }
         ocean.high += power * vec2(1.0, band.orbit * band.orbit * along);
+        bands[i] = band;
     }
+    for (int j = 0; j < GABOR_OCEAN_BANDS + 2; ++j) ocean.band[j] = bands[j];
+    ocean.tail = max(ocean.tail, 0.0);
     ocean.high = sqrt(ocean.high);
     return ocean;
 }

@@ -111,12 +111,16 @@ def tree(*paths):
 
 def members(owner):
     """Returns the inputs for the members of a struct, by copies.parameters."""
-    for option, kind, unit, bounds, _, numbers, about in copies.parameters(tree(*files({"": "erosion", "sea": "ocean"}.get(owner, "materials")))):
+    shader = tree(*files({"": "erosion", "sea": "ocean"}.get(owner, "materials")))
+    function = {"": "gabor_erosion", "sea": "gabor_sea"}.get(owner, f"gabor_{owner}_default")
+    made = next(item for item in shader.items if item.kind == "function" and item.name.text == function).body.parts[0].parts[0]
+    written = dict(zip(shader.structs[made.type].fields, made.parts))
+    for option, kind, unit, bounds, _, numbers, about in copies.parameters(shader):
         of, _, member = option.rpartition(".")
         if of.replace("-", "_") == owner:
-            if kind == "angle":
+            if kind == "angle":  # rounded to degrees, it would miss the drop-in's default in the last bit, and scratches would end elsewhere
                 bounds = [math.radians(min(max(each, -360), 360)) for each in bounds]  # of a slider
-                numbers, unit = [math.radians(each) for each in numbers], "radians"
+                numbers, unit = [float(node.name.text) for node in written[member].walk() if node.kind == "number"], "radians"
             about += f", in {unit}" if unit else ""
             name = "".join(word.capitalize() for word in member.split("_"))
             name = f"Base{name}" if name in ("Colour", "Roughness") else name  # which outputs are called

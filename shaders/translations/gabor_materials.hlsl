@@ -1073,11 +1073,18 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964, square);
     share = lerp(0.806, share / float(samples), kept);
-    float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14)
-               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08);
+    // Wrinkles along the zeros of the grain's other noise, and pores at its peaks.
+    GaborImplPair fine = of.pair_0;
+    float3 wrinkle = gabor_impl_line(fine.first, fine.removed, 0.25);
+    float3 pore = gabor_impl_above(fine.first, fine.removed, 1.8, 0.2);
+    height -= 0.0018 * wrinkle + 0.004 * pore;
+    share *= 1.0 - 0.25 * wrinkle.x - 0.6 * pore.x;
+    float2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14);
     float3 colour = lerp(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                       share);
-    lost += warped + lerp(3.67e-6, grains / float(samples), kept) * of.pair_0.lost;
+    lost += warped + lerp(3.67e-6, grains / float(samples), kept) * of.pair_0.lost
+          + 3.24e-6 * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25)
+          + 1.6e-5 * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8, 0.2);
     lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1287,25 +1294,29 @@ GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScra
     // swell.
     float bend = at.period.y > 0.0 ? min(0.17, 0.02 * at.period.y) : 0.17;
     at = gabor_impl_warp(at, float2(0.3, 0.1), float2(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(at, float2(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * float(i)), seed,
+    return gabor_impl_spots_layer(at, float2(1.0 / scratches.scratch_length, 60.0) * exp2(0.13 * float(i)), seed,
                                   2 * i + 1);
 }
 
-// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is where
+// both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
 void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = exp2(-0.13 * float(i));
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
-    float3 open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
-    float3 scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2), open);
+    float3 peak = gabor_impl_above(noise.first, noise.removed, threshold, 0.12);
+    float3 open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.25);
+    float3 scratch = gabor_impl_times(peak, open);
     sum.colour *= 1.0 - (0.25 + 0.7 * size) * scratch.x;
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz;
-    float change = gabor_impl_above(float3(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
-    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
-    // a normal law: a fit to amounts from 0.01 to 8.
+    // Each noise's slopes, times the mean square of the other's share. Beyond three deviations, the noise has fewer
+    // values than a normal law: a fit to amounts from 0.01 to 8.
     float rare = threshold / 3.85, rarer = rare * rare * rare * rare;
-    sum.lost += 1.2 / (1.0 + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
-              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
+    float3 lost = (open.x * open.x + gabor_impl_above_variance(open.x, noise.removed, 0.25))
+                  * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12)
+              + (peak.x * peak.x + gabor_impl_above_variance(peak.x, noise.removed, 0.12))
+                  * gabor_impl_above_lost(noise.second, noise.removed, noise.lost, 0.3, 0.25);
+    sum.lost += 0.95 * size * size / (1.0 + rarer * rarer) * lost;
 }
 
 GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
@@ -1643,7 +1654,7 @@ GaborBrushedMetal gabor_brushed_metal_default() {
 }
 GaborScratches gabor_scratches_default() {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches_of(float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
+    return GaborScratches_of(float3(0.035, 0.042, 0.05), float3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0014,
                           0.3);
 }
 GaborZebra gabor_zebra_default() {

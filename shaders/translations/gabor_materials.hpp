@@ -977,11 +977,18 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(height, lost, samples, kept, 0.015964f, square);
     share = gabor_cpp_mix(0.806f, share / float(samples), kept);
-    gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14f)
-               + gabor_impl_tone(of.pair_0.first.x, of.pair_0.removed, 0.08f);
+    // Wrinkles along the zeros of the grain's other noise, and pores at its peaks.
+    GaborImplPair fine = of.pair_0;
+    gabor_vec3 wrinkle = gabor_impl_line(fine.first, fine.removed, 0.25f);
+    gabor_vec3 pore = gabor_impl_above(fine.first, fine.removed, 1.8f, 0.2f);
+    height -= 0.0018f * wrinkle + 0.004f * pore;
+    share *= 1.0f - 0.25f * wrinkle.x - 0.6f * pore.x;
+    gabor_vec2 tones = gabor_impl_tone(of.pair_1.second.x, of.pair_1.removed, 0.14f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                       share);
-    lost += warped + gabor_cpp_mix(3.67e-6f, grains / float(samples), kept) * of.pair_0.lost;
+    lost += warped + gabor_cpp_mix(3.67e-6f, grains / float(samples), kept) * of.pair_0.lost
+          + 3.24e-6f * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25f)
+          + 1.6e-5f * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8f, 0.2f);
     lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
 }
@@ -1191,25 +1198,29 @@ GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pix
     // swell.
     float bend = at.period.y > 0.0f ? gabor_cpp_min(0.17f, 0.02f * at.period.y) : 0.17f;
     at = gabor_impl_warp(at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(at, gabor_vec2(1.0f / scratches.scratch_length, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
+    return gabor_impl_spots_layer(at, gabor_vec2(1.0f / scratches.scratch_length, 60.0f) * gabor_cpp_exp2(0.13f * float(i)), seed,
                                   2 * i + 1);
 }
 
-// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is where
+// both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
 GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = gabor_cpp_exp2(-0.13f * float(i));
     float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
-    gabor_vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
-    gabor_vec3 scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2f), open);
+    gabor_vec3 peak = gabor_impl_above(noise.first, noise.removed, threshold, 0.12f);
+    gabor_vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.25f);
+    gabor_vec3 scratch = gabor_impl_times(peak, open);
     sum.colour *= 1.0f - (0.25f + 0.7f * size) * scratch.x;
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz();
-    float change = gabor_impl_above(gabor_vec3(noise.second.x, 1.0f, 0.0f), noise.removed, 0.3f, 0.7f).y;
-    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
-    // a normal law: a fit to amounts from 0.01 to 8.
+    // Each noise's slopes, times the mean square of the other's share. Beyond three deviations, the noise has fewer
+    // values than a normal law: a fit to amounts from 0.01 to 8.
     float rare = threshold / 3.85f, rarer = rare * rare * rare * rare;
-    sum.lost += 1.2f / (1.0f + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
-              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2f);
+    gabor_vec3 lost = (open.x * open.x + gabor_impl_above_variance(open.x, noise.removed, 0.25f))
+                  * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12f)
+              + (peak.x * peak.x + gabor_impl_above_variance(peak.x, noise.removed, 0.12f))
+                  * gabor_impl_above_lost(noise.second, noise.removed, noise.lost, 0.3f, 0.25f);
+    sum.lost += 0.95f * size * size / (1.0f + rarer * rarer) * lost;
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
@@ -1547,7 +1558,7 @@ GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
 }
 GABOR_INLINE GaborScratches gabor_scratches_default() {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 1.5707964f, 0.0025f,
+    return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 1.5707964f, 0.0014f,
                           0.3f};
 }
 GABOR_INLINE GaborZebra gabor_zebra_default() {

@@ -973,11 +973,18 @@ fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: Gabo
     // 0.015964 was measured; tools/constants.py derives 0.01595
     gabor_impl_average(&height, &lost, samples, kept, 0.015964, square);
     share = mix(0.806, share / f32(samples), kept);
-    let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.14)
-               + gabor_impl_tone(of_.pair_0.first.x, of_.pair_0.removed, 0.08);
+    // Wrinkles along the zeros of the grain's other noise, and pores at its peaks.
+    let fine = of_.pair_0;
+    let wrinkle = gabor_impl_line(fine.first, fine.removed, 0.25);
+    let pore = gabor_impl_above(fine.first, fine.removed, 1.8, 0.2);
+    height -= 0.0018 * wrinkle + 0.004 * pore;
+    share *= 1.0 - 0.25 * wrinkle.x - 0.6 * pore.x;
+    let tones = gabor_impl_tone(of_.pair_1.second.x, of_.pair_1.removed, 0.14);
     let colour = mix(gabor_impl_toned(leather.crease_colour, tones), gabor_impl_toned(leather.pebble_colour, tones),
                      share);
-    lost += warped + mix(3.67e-6, grains / f32(samples), kept) * of_.pair_0.lost;
+    lost += warped + mix(3.67e-6, grains / f32(samples), kept) * of_.pair_0.lost
+          + 3.24e-6 * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25)
+          + 1.6e-5 * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8, 0.2);
     lost *= leather.relief * leather.relief;
     return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
 }
@@ -1190,25 +1197,29 @@ fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScr
     // swell.
     let bend = select(0.17, min(0.17, 0.02 * at.period.y), at.period.y > 0.0);
     at = gabor_impl_warp(at, vec2f(0.3, 0.1), vec2f(0.0, bend), seed, 2 * i);
-    return gabor_impl_spots_layer(at, vec2f(1.0 / scratches.scratch_length, 42.0) * exp2(0.13 * f32(i)), seed,
+    return gabor_impl_spots_layer(at, vec2f(1.0 / scratches.scratch_length, 60.0) * exp2(0.13 * f32(i)), seed,
                                   2 * i + 1);
 }
 
-// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is where
+// both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
 fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborImplPair) {
     let size = exp2(-0.13 * f32(i));
     let threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
-    let open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
-    let scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2), open);
+    let peak = gabor_impl_above(noise.first, noise.removed, threshold, 0.12);
+    let open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.25);
+    let scratch = gabor_impl_times(peak, open);
     (*sum).colour *= 1.0 - (0.25 + 0.7 * size) * scratch.x;
     (*sum).height -= size * scratch.x;
     (*sum).slope -= size * scratch.yz;
-    let change = gabor_impl_above(vec3f(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
-    // The mean square of `open`; 1.2 stands for its own slope. Beyond three deviations, the noise has fewer values than
-    // a normal law: a fit to amounts from 0.01 to 8.
+    // Each noise's slopes, times the mean square of the other's share. Beyond three deviations, the noise has fewer
+    // values than a normal law: a fit to amounts from 0.01 to 8.
     let rare = threshold / 3.85; let rarer = rare * rare * rare * rare;
-    (*sum).lost += 1.2 / (1.0 + rarer * rarer) * size * size * (open.x * open.x + change * change * noise.removed)
-              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
+    let lost = (open.x * open.x + gabor_impl_above_variance(open.x, noise.removed, 0.25))
+                 * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12)
+              + (peak.x * peak.x + gabor_impl_above_variance(peak.x, noise.removed, 0.12))
+                 * gabor_impl_above_lost(noise.second, noise.removed, noise.lost, 0.3, 0.25);
+    (*sum).lost += 0.95 * size * size / (1.0 + rarer * rarer) * lost;
 }
 
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
@@ -1554,7 +1565,7 @@ fn gabor_brushed_metal_default() -> GaborBrushedMetal {
 }
 fn gabor_scratches_default() -> GaborScratches {
     // 1.5707963 is pi/2 and 3.1415927 is pi
-    return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0025,
+    return GaborScratches(vec3f(0.035, 0.042, 0.05), vec3f(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 1.5707964, 0.0014,
                           0.3);
 }
 fn gabor_zebra_default() -> GaborZebra {

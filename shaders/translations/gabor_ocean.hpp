@@ -271,7 +271,7 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
     gabor_vec2 sum = gabor_vec2(0.0f);
     float steps = 32.0f * gabor_impl_step_width(band.low, reach);
     gabor_vec2 edge = gabor_cpp_clamp(1.0f + 2.3f * blur / steps * (1.0f - beside), 0.3f, 1.7f);
-    for (int n = 0; n < 32; ++n) sum += gabor_impl_step_sharp(n, band.low, reach, blur, edge, sea);
+    for (int j = 0; j < 32; ++j) sum += gabor_impl_step_sharp(j, band.low, reach, blur, edge, sea);
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
     gabor_vec3 first = gabor_vec3(0.0f), second = gabor_vec3(0.0f), to_first = gabor_vec3(0.0f), to_second = gabor_vec3(0.0f);
     gabor_vec3 ahead = gabor_vec3(1.0f, 2.0f, 3.0f) / 6.0f;
@@ -361,41 +361,50 @@ GABOR_INLINE GaborOcean gabor_ocean_of(GaborSea state) {
     float along;
     GaborImplJonswap sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch, ocean.water_depth);
     int first = int(gabor_cpp_floor(4.0f * gabor_cpp_log2(0.6f * sea.peak / GABOR_IMPL_TICK)));
-    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) { // half an octave of frequency each, but a quarter around the peak
+    GaborImplJonswap swell = GaborImplJonswap{1.0f / period, 1.0f, 2.0794415f, ocean.water_depth, 0.0f}; // ln 8
+    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
+    float k = gabor_impl_dispersion(swell.peak, ocean.water_depth).x;
+    // 17.363515 is 0.56 pi^3
+    height = gabor_cpp_min(height, 17.363515f / GABOR_IMPL_GRAVITY * swell.peak * swell.peak / (k * k));
+    ocean.swell = gabor_vec3(height, period, state.swell_direction);
+    float turn = gabor_impl_wave(0.15915494f * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
+    // One loop, and one that copies: FXC unrolls loops that write to an array in a struct, and took 40 times as long.
+    GaborOceanBand bands[GABOR_OCEAN_BANDS + 2];
+    for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
+        bool remote = i >= GABOR_OCEAN_BANDS, longer = i == GABOR_OCEAN_BANDS;
+        // Half an octave of frequency each, but a quarter around the peak.
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
+        float reach = 1024.0f * (high / low - 1.0f);
         gabor_vec2 beside = gabor_vec2(i == 1 || i == 3 ? 0.65f : i == 2 ? 1.19f : 0.7f, i == 1 ? 0.84f : i == 2 ? 1.54f : 1.41f);
-        GaborOceanBand band = gabor_impl_band(low, 1024.0f * (high / low - 1.0f), exponent, ocean.direction, beside, sea,
-                                              false, stands, along);
+        if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
+            low = 64.0f * gabor_cpp_floor((longer ? 0.0114f : 0.0161f) * swell.peak / GABOR_IMPL_TICK + 0.5f);
+            reach = longer ? 424.0f : 1024.0f;
+            exponent = int(gabor_cpp_floor(gabor_cpp_log2((longer ? 9.0f : 4.5f) * period * period)));
+            beside = longer ? gabor_vec2(1.0f, 1.2f) : gabor_vec2(0.8f, 1.0f);
+        }
+        GaborImplJonswap waves = sea;
+        if (remote) waves = swell;
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, remote ? ocean.swell.z : ocean.direction, beside,
+                                              waves, remote, stands, along);
         if (low > 262144.0f) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0f;
             band.slopes = gabor_vec2(0.0f);
         }
-        ocean.band[i] = band;
-        ocean.tail -= band.slopes;
-        ocean.high += band.amplitude * band.amplitude * gabor_vec2(1.0f, band.orbit * band.orbit * along);
-    }
-    ocean.tail = gabor_cpp_max(ocean.tail, 0.0f);
-    GaborImplJonswap remote = GaborImplJonswap{1.0f / period, 1.0f, 2.0794415f, ocean.water_depth, 0.0f}; // ln 8
-    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
-    float k = gabor_impl_dispersion(remote.peak, ocean.water_depth).x;
-    // 17.363515 is 0.56 pi^3
-    height = gabor_cpp_min(height, 17.363515f / GABOR_IMPL_GRAVITY * remote.peak * remote.peak / (k * k));
-    ocean.swell = gabor_vec3(height, period, state.swell_direction);
-    float turn = gabor_impl_wave(0.15915494f * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
-    for (int i = 0; i < 2; ++i) { // from 0.73 to 1.03 and on to 2.06 times the peak
-        float low = 64.0f * gabor_cpp_floor((i == 0 ? 0.0114f : 0.0161f) * remote.peak / GABOR_IMPL_TICK + 0.5f);
-        int exponent = int(gabor_cpp_floor(gabor_cpp_log2((i == 0 ? 9.0f : 4.5f) * period * period)));
-        gabor_vec2 beside = i == 0 ? gabor_vec2(1.0f, 1.2f) : gabor_vec2(0.8f, 1.0f);
-        GaborOceanBand band = gabor_impl_band(low, i == 0 ? 424.0f : 1024.0f, exponent, ocean.swell.z, beside, remote,
-                                              true, stands, along);
-        float power = (i == 0 ? 0.0333f : 0.0292f) * height * height; // in all 1/16
-        band.slopes *= power / (band.amplitude * band.amplitude);
-        band.amplitude = gabor_cpp_sqrt(power);
-        ocean.band[GABOR_OCEAN_BANDS + i] = band;
-        along = 1.0f - along + (2.0f * along - 1.0f) * turn * turn;
+        float power = band.amplitude * band.amplitude;
+        if (remote) {
+            power = (longer ? 0.0333f : 0.0292f) * height * height; // in all 1/16
+            band.slopes *= power / (band.amplitude * band.amplitude);
+            band.amplitude = gabor_cpp_sqrt(power);
+            along = 1.0f - along + (2.0f * along - 1.0f) * turn * turn;
+        } else {
+            ocean.tail -= band.slopes;
+        }
         ocean.high += power * gabor_vec2(1.0f, band.orbit * band.orbit * along);
+        bands[i] = band;
     }
+    for (int j = 0; j < GABOR_OCEAN_BANDS + 2; ++j) ocean.band[j] = bands[j];
+    ocean.tail = gabor_cpp_max(ocean.tail, 0.0f);
     ocean.high = gabor_cpp_sqrt(ocean.high);
     return ocean;
 }

@@ -260,7 +260,7 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
     var sum = vec2f(0.0);
     let steps = 32.0 * gabor_impl_step_width((*band).low, reach);
     let edge = clamp(1.0 + 2.3 * blur / steps * (1.0 - beside), vec2f(0.3), vec2f(1.7));
-    for (var n = 0; n < 32; n++) { sum += gabor_impl_step_sharp(n, (*band).low, reach, blur, edge, sea); }
+    for (var j = 0; j < 32; j++) { sum += gabor_impl_step_sharp(j, (*band).low, reach, blur, edge, sea); }
     // The shares of power below the knots, and how far the knots are from the lowest frequency.
     var first = vec3f(0.0); var second = vec3f(0.0); var to_first = vec3f(0.0); var to_second = vec3f(0.0);
     var ahead = vec3f(1.0, 2.0, 3.0) / 6.0;
@@ -351,42 +351,51 @@ fn gabor_ocean_of(state: GaborSea) -> GaborOcean {
     var along: f32;
     let sea = gabor_impl_wind_waves(ocean.wind, ocean.fetch, ocean.water_depth);
     let first = i32(floor(4.0 * log2(0.6 * sea.peak / GABOR_IMPL_TICK)));
-    for (var i = 0; i < GABOR_OCEAN_BANDS; i++) { // half an octave of frequency each, but a quarter around the peak
-        let q = first + 2 * i - select(select(2, 1, i == 2), 0, i < 2); let exponent = 34 - ((q - (first & 1)) >> 1);
-        let low = gabor_impl_quarter_octave(q);
+    let swell = GaborImplJonswap(1.0 / period, 1.0, 2.0794415, ocean.water_depth, 0.0); // ln 8
+    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
+    let k = gabor_impl_dispersion(swell.peak, ocean.water_depth).x;
+    // 17.363515 is 0.56 pi^3
+    height = min(height, 17.363515 / GABOR_IMPL_GRAVITY * swell.peak * swell.peak / (k * k));
+    ocean.swell = vec3f(height, period, state.swell_direction);
+    let turn = gabor_impl_wave(0.15915494 * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
+    // One loop, and one that copies: FXC unrolls loops that write to an array in a struct, and took 40 times as long.
+    var bands: array<GaborOceanBand, GABOR_OCEAN_BANDS + 2>;
+    for (var i = 0; i < GABOR_OCEAN_BANDS + 2; i++) {
+        let remote = i >= GABOR_OCEAN_BANDS; let longer = i == GABOR_OCEAN_BANDS;
+        // Half an octave of frequency each, but a quarter around the peak.
+        let q = first + 2 * i - select(select(2, 1, i == 2), 0, i < 2); var exponent = 34 - ((q - (first & 1)) >> 1);
+        var low = gabor_impl_quarter_octave(q);
         let high = gabor_impl_quarter_octave(q + select(2, 1, i == 1 || i == 2));
-        let beside = vec2f(select(select(0.7, 1.19, i == 2), 0.65, i == 1 || i == 3), select(select(1.41, 1.54, i == 2), 0.84, i == 1));
-        var band = gabor_impl_band(low, 1024.0 * (high / low - 1.0), exponent, ocean.direction, beside, sea,
-                                   false, stands, &along);
+        var reach = 1024.0 * (high / low - 1.0);
+        var beside = vec2f(select(select(0.7, 1.19, i == 2), 0.65, i == 1 || i == 3), select(select(1.41, 1.54, i == 2), 0.84, i == 1));
+        if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
+            low = 64.0 * floor(select(0.0161, 0.0114, longer) * swell.peak / GABOR_IMPL_TICK + 0.5);
+            reach = select(1024.0, 424.0, longer);
+            exponent = i32(floor(log2(select(4.5, 9.0, longer) * period * period)));
+            beside = select(vec2f(0.8, 1.0), vec2f(1.0, 1.2), longer);
+        }
+        var waves = sea;
+        if (remote) { waves = swell; }
+        var band = gabor_impl_band(low, reach, exponent, select(ocean.direction, ocean.swell.z, remote), beside,
+                                   waves, remote, stands, &along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;
             band.slopes = vec2f(0.0);
         }
-        ocean.band[i] = band;
-        ocean.tail -= band.slopes;
-        ocean.high += band.amplitude * band.amplitude * vec2f(1.0, band.orbit * band.orbit * along);
-    }
-    ocean.tail = max(ocean.tail, vec2f(0.0));
-    let remote = GaborImplJonswap(1.0 / period, 1.0, 2.0794415, ocean.water_depth, 0.0); // ln 8
-    // 0.07 of the wavelength, or 0.44 of the depth in shallow water: 0.14 pi over k^2, times k of deep water
-    let k = gabor_impl_dispersion(remote.peak, ocean.water_depth).x;
-    // 17.363515 is 0.56 pi^3
-    height = min(height, 17.363515 / GABOR_IMPL_GRAVITY * remote.peak * remote.peak / (k * k));
-    ocean.swell = vec3f(height, period, state.swell_direction);
-    let turn = gabor_impl_wave(0.15915494 * (state.swell_direction - ocean.direction)).x; // 1/(2 pi)
-    for (var i = 0; i < 2; i++) { // from 0.73 to 1.03 and on to 2.06 times the peak
-        let low = 64.0 * floor(select(0.0161, 0.0114, i == 0) * remote.peak / GABOR_IMPL_TICK + 0.5);
-        let exponent = i32(floor(log2(select(4.5, 9.0, i == 0) * period * period)));
-        let beside = select(vec2f(0.8, 1.0), vec2f(1.0, 1.2), i == 0);
-        var band = gabor_impl_band(low, select(1024.0, 424.0, i == 0), exponent, ocean.swell.z, beside, remote,
-                                   true, stands, &along);
-        let power = select(0.0292, 0.0333, i == 0) * height * height; // in all 1/16
-        band.slopes *= power / (band.amplitude * band.amplitude);
-        band.amplitude = sqrt(power);
-        ocean.band[GABOR_OCEAN_BANDS + i] = band;
-        along = 1.0 - along + (2.0 * along - 1.0) * turn * turn;
+        var power = band.amplitude * band.amplitude;
+        if (remote) {
+            power = select(0.0292, 0.0333, longer) * height * height; // in all 1/16
+            band.slopes *= power / (band.amplitude * band.amplitude);
+            band.amplitude = sqrt(power);
+            along = 1.0 - along + (2.0 * along - 1.0) * turn * turn;
+        } else {
+            ocean.tail -= band.slopes;
+        }
         ocean.high += power * vec2f(1.0, band.orbit * band.orbit * along);
+        bands[i] = band;
     }
+    for (var j = 0; j < GABOR_OCEAN_BANDS + 2; j++) { ocean.band[j] = bands[j]; }
+    ocean.tail = max(ocean.tail, vec2f(0.0));
     ocean.high = sqrt(ocean.high);
     return ocean;
 }

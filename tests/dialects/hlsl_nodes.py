@@ -3,6 +3,7 @@ hlsl_nodes.py unity|unreal dxc|fxc VALUES.raw
 
 GABOR_DXC is the DirectX shader compiler's library; GABOR_DIRECT3D is the folder of FXC, which Wine runs."""
 
+import itertools
 import json
 import os
 import pathlib
@@ -95,23 +96,15 @@ def expanded(folder, text):
     return re.sub(r'^#include "(?:/Project/)?(.*)"$', lambda match: expanded(folder, (folder / match[1]).read_text()), text, flags=re.MULTILINE)
 
 
-def in_unity(folder, node, arguments, value):
-    name, outputs = f"Gabor{node.name.replace(' ', '')}", node.outputs.items()
-    inputs = ", ".join("p" if each.name == "Place" else constant(arguments[each.name]) for each in node.inputs)
-    main = ""
-    for kind in ("float", "half"):
-        outs = [f"{each}_{kind}" for each, _ in outputs]
-        main += "".join(f"{hlsl_nodes.typed(kind, size)} {out};\n    " for out, (_, size) in zip(outs, outputs))
-        cast = inputs if kind == "float" else ", ".join(f"({hlsl_nodes.typed('half', len(each.value))}){part}" for each, part in zip(
-            node.inputs, re.split(r", (?![^(]*\))", inputs)))
-        main += f"{name}_{kind}({cast}, {', '.join(outs)});\n    "
-    # Half precision is not used by these compilers, so both functions must agree.
-    one, other = (re.sub(r"\b([A-Z]\w+)\b", rf"\1_{kind}", value) for kind in ("float", "half"))
-    value = f"0.5 * ({one}) + 0.5 * ({other})"
+def in_unity(folder, node, arguments, value, kind):
+    """Half precision is not used by these compilers, so both functions must have the same values."""
+    inputs = [f"({hlsl_nodes.typed(kind, len(each.value))})({'p' if each.name == 'Place' else constant(arguments[each.name])})" for each in node.inputs]
+    main = "".join(f"{hlsl_nodes.typed(kind, size)} {name};\n    " for name, size in node.outputs.items())
+    main += f"Gabor{node.name.replace(' ', '')}_{kind}({', '.join([*inputs, *node.outputs])});"
     return expanded(folder, f'#include "Gabor{node.file}.hlsl"\n'), main, value
 
 
-def in_unreal(folder, node, arguments, value):
+def in_unreal(folder, node, arguments, value, _):
     """The code that Unreal's material compiler generates from a Custom node, except for the names of its first parameters."""
     code = (folder / f"Gabor {node.name}.hlsl").read_text()
     include = re.search("Include File Paths: (.*)", code)[1]
@@ -164,28 +157,29 @@ def wanted(engine, node, arguments, folder):
 
 def main():
     engine, compiler, path = sys.argv[1:]
-    call = {"unity": in_unity, "unreal": in_unreal}[engine]
+    call, kinds = {"unity": (in_unity, ["float", "half"]), "unreal": (in_unreal, ["float"])}[engine]
     errors, pictures = {}, []
     with tempfile.TemporaryDirectory(prefix="gabor-") as scratch:
         scratch = pathlib.Path(scratch)
         folder = packaged(engine, scratch / "package")
         for node in hlsl_nodes.table():
             arguments, values = EQUATIONS.get(node.name, (given(node), {node.name: weighted(node)}))
-            for name, value in values.items():
-                before, main, value = call(folder, node, arguments, value)
+            known = None if node.name in EQUATIONS else wanted(engine, node, arguments, scratch)
+            # FXC takes twice as long for both precisions in one shader as in two.
+            for (name, value), kind in itertools.product(values.items(), kinds):
+                before, main, value = call(folder, node, arguments, value, kind)
                 shader = HLSL.replace("STEP_X", STEPS[0]).replace("STEP_Y", STEPS[1]).replace("BEFORE", before).replace("MAIN", main).replace("VALUE", value)
                 driver, drawn = compiled(compiler, scratch, shader)
                 if node.name in EQUATIONS:
                     column, (error, at), limit = name, reference.largest_difference(name, drawn[:256 * 256]), 1e-5
                 else:
-                    known = wanted(engine, node, arguments, scratch)
                     difference = np.abs(drawn[:256 * 256] - known[:256 * 256])
                     column, at = CALLS.get(node.name, MATERIAL)[0], divmod(int(difference.argmax()), 256)
                     # Hairline scratches, borders of grass or snow, and derivatives of octaves magnify rounding errors.
                     limit = {"materials": 2e-3, "fractal": 5e-4, "erosion": 5e-4}.get(column, 1e-4)
                     # Normals jump at threads, where rounding decides: leaves out one pixel in 1000.
                     error = (np.quantile(difference, 0.999) if column == "materials" else difference.max()) / known.std()
-                print(f"{engine}, {compiler}: {name}: largest difference {error:.2g} at row and column {at}", file=sys.stderr, flush=True)
+                print(f"{engine}, {compiler}: {name}, {kind}: largest difference {error:.2g} at row and column {at}", file=sys.stderr, flush=True)
                 if not error < limit:
                     sys.exit(f"{node.name} differs by more than {limit:g}")
                 errors[column] = max(errors.get(column, 0.0), float(error))
