@@ -38,8 +38,8 @@ class Workshop(EventsTest):
         self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the sixth in the first group, after five kinds of wood. Each picture has its name over its lower edge.
-        left, top = 14 + 5 * 136, 60
+        # Bark is the sixth below the noises, after five kinds of wood. Each picture has its name over its lower edge.
+        left, top = 14 + 5 * 136, 108
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", **json.loads((PRESETS / "bark.json").read_text()) | {"width": 128, "height": 128, "scale": 32})
         self.gabor("render", "--like", preset, "-o", "bark.png")
@@ -113,6 +113,7 @@ class Workshop(EventsTest):
             self.keys("p") # the gallery hides the view, which would take longer than the maps
             self.command(f"open {preset}")
             self.show_exports()
+            self.choose("kind", KINDS[MAPS])
             self.command("maps 64")
             self.press("Export now")
             self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])

@@ -70,8 +70,9 @@ const browser = await puppeteer.launch({ protocolTimeout: limit, ...name === "fi
 try {
     const tab = await browser.newPage();
     setTimeout(async () => {
-        const waiting = tab.evaluate(() => globalThis.waiting).catch(() => ""), busy = new Promise(resolve => setTimeout(resolve, 5000));
-        console.error(`The page is not done after ${limit / 1000} s. It waits ${await Promise.race([waiting, busy]) ?? ""}`);
+        const asked = tab.evaluate(() => globalThis.waiting).catch(() => ""), busy = new Promise(resolve => setTimeout(resolve, 5000));
+        const waiting = await Promise.race([asked, busy]);
+        console.error(`The page is not done after ${limit / 1000} s${waiting ? `, and waits ${waiting}` : ""}.`);
         await browser.close();
     }, limit - 20000).unref();
     await tab.setViewport({ width: 1280, height: 720 });
