@@ -103,7 +103,7 @@ vec2 bend_at(Sea sea, vec2 p, float pixel) {
     vec2 sum = vec2(0.0);
     for (int i = 0; i < 2; ++i) {
         float size = exp2(low + float(i));
-        GaborFractalNoise n = gabor_fractal_noise(gabor_place_at(p / size), gabor_fractal(3.0, 0.25),
+        GaborFractalNoise n = gabor_fractal_noise(gabor_place_at(p / size), gabor_fractal(3.0, 0.4),
                                                   sea.seed + uint(int(low) + i + 200));
         sum += 0.04 * size * (i == 0 ? 1.0 + low - level : level - low) * vec2(-n.gradient.y, n.gradient.x);
     }

@@ -107,7 +107,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     float2 slope;    // derivatives of the height by p
     float2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where it folds
+    float jacobian; // of p + shift by p, within 0.2, or 0.3 for a fetch of 1 km: 1 at rest, lower where it folds
     float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
     float3 velocity; // of the water in metres per second: along x, along y, and up
 };
@@ -281,10 +281,14 @@ float gabor_impl_set_directions(inout GaborOceanBand band, float reach, GaborImp
 // Of a step, the power before windows blur it by `blur` Hz, and how much the spectrum changes there. A band's low end
 // is blurred more than the high end of the band before.
 float2 gabor_impl_step_sharp(int n, float low, float reach, float blur, float2 edge, GaborImplJonswap sea) {
-    float f = gabor_impl_step_frequency(n, low, reach), here = gabor_impl_spectrum(f, sea);
-    float before = gabor_impl_spectrum(f - blur, sea), after = gabor_impl_spectrum(f + blur, sea);
-    float sharp = max(2.0 * here - 0.5 * (before + after), 0.2 * here);
-    return float2(sharp * (n < 4 ? edge.x : n < 28 ? 1.0 : edge.y), abs(after - before));
+    float f = gabor_impl_step_frequency(n, low, reach);
+    float3 power = (float3)(0.0); // here, before and after
+    for (int i = 0; i < 3; ++i) { // a single call, because compilers copy what it calls to each place
+        float here = gabor_impl_spectrum(i == 0 ? f : i == 1 ? f - blur : f + blur, sea);
+        power = i == 0 ? float3(here, 0.0, 0.0) : i == 1 ? float3(power.x, here, 0.0) : float3(power.xy, here);
+    }
+    float sharp = max(2.0 * power.x - 0.5 * (power.y + power.z), 0.2 * power.x);
+    return float2(sharp * (n < 4 ? edge.x : n < 28 ? 1.0 : edge.y), abs(power.z - power.y));
 }
 
 // Sets the frequencies of a band, by the inverse of their distribution. Between six knots, all have the same chance.
@@ -323,14 +327,14 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
     band.last = float2(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^exponent metres apart. `beside` has
-// by how much less the band before it is blurred, and more the one behind it. `along` becomes
-// the mean of cos^2 d.
-GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direction, float2 beside, GaborImplJonswap sea,
-                               bool remote, bool stands, out float along) {
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
+// cos^2 d.
+GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int near, float direction, float2 beside,
+                               GaborImplJonswap sea, bool remote, bool stands, out float along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    GaborOceanBand band = GaborOceanBand_of(sqrt(power.sum), exponent, low, 0.0, (float2)(0.0), (float2)(0.0), (float2)(0.0), 0.0, 0.0,
+    GaborOceanBand band = GaborOceanBand_of(0.0, exponent - near, low, 0.0, (float2)(0.0), (float2)(0.0), (float2)(0.0), 0.0, 0.0,
                                          (float4)(0.0), (float4)(0.0), (float2)(0.0), (float2)(0.0), (float2)(0.0), (int2)(0));
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * float2(along, 1.0 - along);
@@ -345,15 +349,20 @@ GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direc
     float mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     float2 waves = gabor_impl_dispersion(mean, sea.depth);
     float speed = 3.1415927 * mean / waves.x * (1.0 + waves.y), spacing = exp2(float(exponent)); // pi
+    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
+    float nearer = exp2(float(near));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
-    float carry = 2097152.0 * 0.15915494 / 861.0 * speed;
+    float carry = 2097152.0 * 0.15915494 / 861.0 * speed / nearer;
     band.carry = floor(carry * float2(1024.0 * base, rate * GABOR_IMPL_TICK * low) + 0.5) / 1024.0;
     float2 drift = (stands ? 0.0 : 32768.0 * speed / spacing) * gabor_impl_wave(0.15915494 * direction);
     band.drift = (int2)(floor(drift + 0.5));
-    // The windows add slopes, half of which are missing where set_frequencies makes spectra sharper.
-    float less = 1.0 - 1.5 / (spacing * spacing * power.steep);
-    band.number = less * GABOR_IMPL_TICK * float2(base, GABOR_IMPL_TICK * rate);
+    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
+    // what nearer nodes add, waves are both longer and lower.
+    float added = 5.482 / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
+    float more = added * (nearer * nearer - 1.0);
+    band.amplitude = sqrt(power.sum / (1.0 + 0.3 * more));
+    band.number = (1.0 - 0.27 * added - 0.35 * more) * GABOR_IMPL_TICK * float2(base, GABOR_IMPL_TICK * rate);
     // The windows blur frequencies by 3.372^(1/2) / (2 pi) for each spacing that passes in a second.
     gabor_impl_set_frequencies(band, reach, 0.2923 * speed / spacing, beside, sea);
     return band;
@@ -399,17 +408,19 @@ GaborOcean gabor_ocean_of(GaborSea state) {
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0 * (high / low - 1.0);
+        int near = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         float2 beside = float2(i == 1 || i == 3 ? 0.65 : i == 2 ? 1.19 : 0.7, i == 1 ? 0.84 : i == 2 ? 1.54 : 1.41);
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0 * floor((longer ? 0.0114 : 0.0161) * swell.peak / GABOR_IMPL_TICK + 0.5);
             reach = longer ? 424.0 : 1024.0;
             exponent = int(floor(log2((longer ? 9.0 : 4.5) * period * period)));
+            near = 0;
             beside = longer ? float2(1.0, 1.2) : float2(0.8, 1.0);
         }
         GaborImplJonswap waves = sea;
         if (remote) waves = swell;
-        GaborOceanBand band = gabor_impl_band(low, reach, exponent, remote ? ocean.swell.z : ocean.direction, beside,
-                                              waves, remote, stands, along);
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, near, remote ? ocean.swell.z : ocean.direction,
+                                              beside, waves, remote, stands, along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;
             band.slopes = (float2)(0.0);
@@ -451,14 +462,14 @@ struct GaborImplOceanNodes {
     uint4 word;
     float4 from_x; // offset of the point from the node, in metres
     float4 from_y;
-    float4 window; // times the band's amplitude, as are its derivatives
-    float4 window_x;
-    float4 window_y;
+    float2 window_x; // along each axis, of west and east times the band's amplitude, and of south and north
+    float2 window_y;
+    float2 rate; // the derivatives of window_x and window_y are rate (-y, x) of them
 };
 
-GaborImplOceanNodes GaborImplOceanNodes_of(uint4 word, float4 from_x, float4 from_y, float4 window, float4 window_x,
-        float4 window_y) {
-    GaborImplOceanNodes made = {word, from_x, from_y, window, window_x, window_y};
+GaborImplOceanNodes GaborImplOceanNodes_of(uint4 word, float4 from_x, float4 from_y, float2 window_x, float2 window_y,
+        float2 rate) {
+    GaborImplOceanNodes made = {word, from_x, from_y, window_x, window_y, rate};
     return made;
 }
 
@@ -477,16 +488,13 @@ GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, int2 cell, float
     float2 middle = 2.0 * offset - 1.0, fourth = middle * middle * middle * middle;
     // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     float2 turns = 0.125 + middle * (0.15625 - 0.03125 * fourth), slope = 1.9634954 / spacing * (1.0 - fourth);
-    float2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
-    float4 along_x = float4(turn_x, turn_x), along_y = float4(turn_y.xx, turn_y.yy);
     uint west = gabor_impl_line_word(node.x, salt), east = gabor_impl_line_word(node.x + 1, salt);
     uint south = gabor_impl_line_word(node.y, salt ^ GABOR_IMPL_ROWS);
     uint north = gabor_impl_line_word(node.y + 1, salt ^ GABOR_IMPL_ROWS);
     return GaborImplOceanNodes_of(uint4(south * west, south * east, north * west, north * east),
                                spacing * (offset.x - float4(0.0, 1.0, 0.0, 1.0)),
-                               spacing * (offset.y - float4(0.0, 0.0, 1.0, 1.0)), along_x * along_y,
-                               slope.x * float4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y,
-                               slope.y * float4(-turn_y.yy, turn_y.xx) * along_x);
+                               spacing * (offset.y - float4(0.0, 0.0, 1.0, 1.0)),
+                               band.amplitude * gabor_impl_half_turn(turns.x), gabor_impl_half_turn(turns.y), slope);
 }
 
 // The waves of four nodes.
@@ -555,20 +563,27 @@ void gabor_impl_add_band(inout GaborWater sum, inout float3 squeeze, GaborOceanB
     float4 square = 1.52587890625e-5 * (float4)(nodes.word & 0xffffu);
     float4 amplitude = kept * sqrt(normal ? -2.0 * log(1.0 - square) : 4.0 * square);
     float4 height = amplitude * float4(a.y, b.y, c.y, d.y), along = amplitude * float4(a.x, b.x, c.x, d.x);
-    float2 drift = exp2(float(band.exponent)) / 32768.0 * (float2)(band.drift); // metres per second
-    float4 passing = drift.x * nodes.window_x + drift.y * nodes.window_y;
-    float4 moving = waves.fast * nodes.window * height - passing * along;
-    sum.velocity.z -= dot(height, passing);
-    along *= nodes.window;
-    sum.velocity -= float3(-band.orbit * float2(dot(moving, x), dot(moving, y)), dot(waves.fast, along));
-    sum.slope += float2(dot(height, nodes.window_x), dot(height, nodes.window_y));
-    height *= nodes.window;
-    float4 steepness = k * along, squeezed = k * height;
-    float4 lost = 1.006 * nodes.window * nodes.window * k * k * (1.0 - kept * kept);
-    sum.height += dot(height, (float4)(1.0));
+    float spacing = exp2(float(band.exponent));
+    float2 south_north = nodes.window_y, rows = nodes.window_x.x * height.xz + nodes.window_x.y * height.yw;
+    float2 rows_x = nodes.window_x.x * height.yw - nodes.window_x.y * height.xz;
+    float2 change = nodes.rate * float2(dot(rows_x, south_north), south_north.x * rows.y - south_north.y * rows.x);
+    float4 window_x = float4(nodes.window_x, nodes.window_x), window_y = float4(south_north.xx, south_north.yy);
+    float4 window = window_x * window_y;
+    float2 drift = spacing / 32768.0 * (float2)(band.drift), pass_ = drift * nodes.rate;
+    float4 passing = pass_.x * float4(-window_x.y, window_x.x, -window_x.y, window_x.x) * window_y
+                 + pass_.y * float4(-window_y.zw, window_y.xy) * window_x;
+    sum.height += dot(rows, south_north);
+    sum.slope += change;
+    height *= window;
+    float4 moving = waves.fast * height - passing * along;
+    along *= window;
+    sum.velocity += float3(band.orbit * float2(dot(moving, x), dot(moving, y)),
+                         -dot(drift, change) - dot(waves.fast, along));
+    float4 steepness = k * along, squeezed = k * height, squeezed_x = squeezed * x;
+    float4 lost = window * window * (k * k + 5.482 / (spacing * spacing)) * (1.0 - kept * kept);
     sum.slope += float2(dot(steepness, x), dot(steepness, y));
     sum.shift += band.orbit * float2(dot(along, x), dot(along, y));
-    squeeze += band.orbit * float3(dot(squeezed, x * x), dot(squeezed, x * y), dot(squeezed, (float4)(1.0)));
+    squeeze += band.orbit * float3(dot(squeezed_x, x), dot(squeezed_x, y), dot(squeezed, (float4)(1.0)));
     sum.lost += float3(dot(lost, x * x), dot(lost, x * y), dot(lost, (float4)(1.0)));
 }
 
@@ -647,22 +662,21 @@ float gabor_foam(float2 p, float2 dx, float2 dy, GaborWater water, GaborOcean oc
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     float2 place = clamp(0.6 / ocean.high.x, 0.3, 6.0) * float2(dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= clamp(0.6 / ocean.high.x, 0.3, 6.0);
-    float2 torn = float2(gabor_noise(float2(0.06, 0.25) * place, 0.4, 1.3, gabor_derived_seed(seed, 14)),
-                     gabor_noise(float2(0.4, 1.1) * place, 0.6, 1.2, gabor_derived_seed(seed, 15)));
-    float3 net = float3(gabor_noise(float2(0.8, 1.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 16)),
-                    gabor_noise(float2(2.6, 4.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 17)),
-                    gabor_noise(float2(10.0, 16.0) * place, 0.0, 0.0, gabor_derived_seed(seed, 18)));
-    float2 torn_kept = float2(gabor_impl_foam_kept(pixel, float2(0.06, 0.25), float2(0.107, 0.3854)),
-                          gabor_impl_foam_kept(pixel, float2(0.4, 1.1), float2(0.2174, 0.5592)));
-    float3 net_kept = float3(gabor_impl_foam_kept(pixel, float2(0.8, 1.6), (float2)(0.0)),
-                         gabor_impl_foam_kept(pixel, float2(2.6, 4.6), (float2)(0.0)),
-                         gabor_impl_foam_kept(pixel, float2(10.0, 16.0), (float2)(0.0)));
-    net_kept *= net_kept; // zeros are thinner than waves
-    // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
-    float2 torn_weight = float2(0.96, 0.72) * torn_kept;
-    float3 net_weight = float3(0.58, 0.44, 0.33) * net_kept;
-    float value = energy - least + dot(torn_weight, torn) + dot(net_weight, 0.7979 - abs(net));
-    float removed = 1.763 - dot(torn_weight, torn_weight) - 0.3634 * dot(net_weight, net_weight); // as in the fit
+    // Each noise has a weight, and takes its variance from that of the fit.
+    float value = energy - least, removed = 1.763;
+    for (int i = 0; i < 5; ++i) { // a single call, because compilers copy what it calls to each place
+        float2 density = i == 0 ? float2(0.06, 0.25) : i == 1 ? float2(0.4, 1.1) : i == 2 ? float2(0.8, 1.6)
+                     : i == 3 ? float2(2.6, 4.6) : float2(10.0, 16.0);
+        float frequency = i == 0 ? 0.4 : i == 1 ? 0.6 : 0.0, direction = i == 0 ? 1.3 : i == 1 ? 1.2 : 0.0;
+        float2 wave = i == 0 ? float2(0.107, 0.3854) : i == 1 ? float2(0.2174, 0.5592) : (float2)(0.0);
+        float weight = i == 0 ? 0.96 : i == 1 ? 0.72 : i == 2 ? 0.58 : i == 3 ? 0.44 : 0.33;
+        float noise = gabor_noise(density * place, frequency, direction, gabor_derived_seed(seed, i + 14));
+        float share = gabor_impl_foam_kept(pixel, density, wave);
+        weight *= i < 2 ? share : share * share; // zeros are thinner than waves
+        // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
+        value += weight * (i < 2 ? noise : 0.7979 - abs(noise));
+        removed -= weight * weight * (i < 2 ? 1.0 : 0.3634);
+    }
     float x = value * rsqrt(removed);
     // Nearly the normal distribution: 1.5957691 is 2 (2/pi)^(1/2), and 0.044715 was chosen for the least error.
     float share = 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));

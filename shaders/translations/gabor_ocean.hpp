@@ -98,7 +98,7 @@ struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p
     gabor_vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
-    float jacobian; // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where it folds
+    float jacobian; // of p + shift by p, within 0.2, or 0.3 for a fetch of 1 km: 1 at rest, lower where it folds
     gabor_vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
     gabor_vec3 velocity; // of the water in metres per second: along x, along y, and up
 };
@@ -257,10 +257,14 @@ GABOR_INLINE float gabor_impl_set_directions(GaborOceanBand& band, float reach, 
 // Of a step, the power before windows blur it by `blur` Hz, and how much the spectrum changes there. A band's low end
 // is blurred more than the high end of the band before.
 GABOR_INLINE gabor_vec2 gabor_impl_step_sharp(int n, float low, float reach, float blur, gabor_vec2 edge, GaborImplJonswap sea) {
-    float f = gabor_impl_step_frequency(n, low, reach), here = gabor_impl_spectrum(f, sea);
-    float before = gabor_impl_spectrum(f - blur, sea), after = gabor_impl_spectrum(f + blur, sea);
-    float sharp = gabor_cpp_max(2.0f * here - 0.5f * (before + after), 0.2f * here);
-    return gabor_vec2(sharp * (n < 4 ? edge.x : n < 28 ? 1.0f : edge.y), gabor_cpp_abs(after - before));
+    float f = gabor_impl_step_frequency(n, low, reach);
+    gabor_vec3 power = gabor_vec3(0.0f); // here, before and after
+    for (int i = 0; i < 3; ++i) { // a single call, because compilers copy what it calls to each place
+        float here = gabor_impl_spectrum(i == 0 ? f : i == 1 ? f - blur : f + blur, sea);
+        power = i == 0 ? gabor_vec3(here, 0.0f, 0.0f) : i == 1 ? gabor_vec3(power.x, here, 0.0f) : gabor_vec3(power.xy(), here);
+    }
+    float sharp = gabor_cpp_max(2.0f * power.x - 0.5f * (power.y + power.z), 0.2f * power.x);
+    return gabor_vec2(sharp * (n < 4 ? edge.x : n < 28 ? 1.0f : edge.y), gabor_cpp_abs(power.z - power.y));
 }
 
 // Sets the frequencies of a band, by the inverse of their distribution. Between six knots, all have the same chance.
@@ -299,14 +303,14 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
     band.last = gabor_vec2(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^exponent metres apart. `beside` has
-// by how much less the band before it is blurred, and more the one behind it. `along` becomes
-// the mean of cos^2 d.
-GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, float direction, gabor_vec2 beside, GaborImplJonswap sea,
-                               bool remote, bool stands, float& along) {
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
+// cos^2 d.
+GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int near, float direction, gabor_vec2 beside,
+                               GaborImplJonswap sea, bool remote, bool stands, float& along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    GaborOceanBand band = GaborOceanBand{gabor_cpp_sqrt(power.sum), exponent, low, 0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, 0.0f,
+    GaborOceanBand band = GaborOceanBand{0.0f, exponent - near, low, 0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, 0.0f,
                                          gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_ivec2(0)};
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * gabor_vec2(along, 1.0f - along);
@@ -321,15 +325,20 @@ GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent
     float mean = GABOR_IMPL_TICK * low * (1.0f + (power.fit.x + 0.5f * reach) / 1024.0f);
     gabor_vec2 waves = gabor_impl_dispersion(mean, sea.depth);
     float speed = 3.1415927f * mean / waves.x * (1.0f + waves.y), spacing = gabor_cpp_exp2(float(exponent)); // pi
+    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
+    float nearer = gabor_cpp_exp2(float(near));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
-    float carry = 2097152.0f * 0.15915494f / 861.0f * speed;
+    float carry = 2097152.0f * 0.15915494f / 861.0f * speed / nearer;
     band.carry = gabor_cpp_floor(carry * gabor_vec2(1024.0f * base, rate * GABOR_IMPL_TICK * low) + 0.5f) / 1024.0f;
     gabor_vec2 drift = (stands ? 0.0f : 32768.0f * speed / spacing) * gabor_impl_wave(0.15915494f * direction);
     band.drift = gabor_ivec2(gabor_cpp_floor(drift + 0.5f));
-    // The windows add slopes, half of which are missing where set_frequencies makes spectra sharper.
-    float less = 1.0f - 1.5f / (spacing * spacing * power.steep);
-    band.number = less * GABOR_IMPL_TICK * gabor_vec2(base, GABOR_IMPL_TICK * rate);
+    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
+    // what nearer nodes add, waves are both longer and lower.
+    float added = 5.482f / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
+    float more = added * (nearer * nearer - 1.0f);
+    band.amplitude = gabor_cpp_sqrt(power.sum / (1.0f + 0.3f * more));
+    band.number = (1.0f - 0.27f * added - 0.35f * more) * GABOR_IMPL_TICK * gabor_vec2(base, GABOR_IMPL_TICK * rate);
     // The windows blur frequencies by 3.372^(1/2) / (2 pi) for each spacing that passes in a second.
     gabor_impl_set_frequencies(band, reach, 0.2923f * speed / spacing, beside, sea);
     return band;
@@ -375,17 +384,19 @@ GABOR_INLINE GaborOcean gabor_ocean_of(GaborSea state) {
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0f * (high / low - 1.0f);
+        int near = gabor_cpp_clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         gabor_vec2 beside = gabor_vec2(i == 1 || i == 3 ? 0.65f : i == 2 ? 1.19f : 0.7f, i == 1 ? 0.84f : i == 2 ? 1.54f : 1.41f);
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0f * gabor_cpp_floor((longer ? 0.0114f : 0.0161f) * swell.peak / GABOR_IMPL_TICK + 0.5f);
             reach = longer ? 424.0f : 1024.0f;
             exponent = int(gabor_cpp_floor(gabor_cpp_log2((longer ? 9.0f : 4.5f) * period * period)));
+            near = 0;
             beside = longer ? gabor_vec2(1.0f, 1.2f) : gabor_vec2(0.8f, 1.0f);
         }
         GaborImplJonswap waves = sea;
         if (remote) waves = swell;
-        GaborOceanBand band = gabor_impl_band(low, reach, exponent, remote ? ocean.swell.z : ocean.direction, beside,
-                                              waves, remote, stands, along);
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, near, remote ? ocean.swell.z : ocean.direction,
+                                              beside, waves, remote, stands, along);
         if (low > 262144.0f) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0f;
             band.slopes = gabor_vec2(0.0f);
@@ -427,9 +438,9 @@ struct GaborImplOceanNodes {
     gabor_uvec4 word;
     gabor_vec4 from_x; // offset of the point from the node, in metres
     gabor_vec4 from_y;
-    gabor_vec4 window; // times the band's amplitude, as are its derivatives
-    gabor_vec4 window_x;
-    gabor_vec4 window_y;
+    gabor_vec2 window_x; // along each axis, of west and east times the band's amplitude, and of south and north
+    gabor_vec2 window_y;
+    gabor_vec2 rate; // the derivatives of window_x and window_y are rate (-y, x) of them
 };
 
 GABOR_INLINE GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, gabor_ivec2 cell, gabor_vec2 local, int second, float fraction,
@@ -447,16 +458,13 @@ GABOR_INLINE GaborImplOceanNodes gabor_impl_ocean_nodes(GaborOceanBand band, gab
     gabor_vec2 middle = 2.0f * offset - 1.0f, fourth = middle * middle * middle * middle;
     // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     gabor_vec2 turns = 0.125f + middle * (0.15625f - 0.03125f * fourth), slope = 1.9634954f / spacing * (1.0f - fourth);
-    gabor_vec2 turn_x = band.amplitude * gabor_impl_half_turn(turns.x), turn_y = gabor_impl_half_turn(turns.y);
-    gabor_vec4 along_x = gabor_vec4(turn_x, turn_x), along_y = gabor_vec4(turn_y.xx(), turn_y.yy());
     std::uint32_t west = gabor_impl_line_word(node.x, salt), east = gabor_impl_line_word(node.x + 1, salt);
     std::uint32_t south = gabor_impl_line_word(node.y, salt ^ GABOR_IMPL_ROWS);
     std::uint32_t north = gabor_impl_line_word(node.y + 1, salt ^ GABOR_IMPL_ROWS);
     return GaborImplOceanNodes{gabor_uvec4(south * west, south * east, north * west, north * east),
                                spacing * (offset.x - gabor_vec4(0.0f, 1.0f, 0.0f, 1.0f)),
-                               spacing * (offset.y - gabor_vec4(0.0f, 0.0f, 1.0f, 1.0f)), along_x * along_y,
-                               slope.x * gabor_vec4(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y,
-                               slope.y * gabor_vec4(-turn_y.yy(), turn_y.xx()) * along_x};
+                               spacing * (offset.y - gabor_vec4(0.0f, 0.0f, 1.0f, 1.0f)),
+                               band.amplitude * gabor_impl_half_turn(turns.x), gabor_impl_half_turn(turns.y), slope};
 }
 
 // The waves of four nodes.
@@ -520,20 +528,27 @@ GABOR_INLINE void gabor_impl_add_band(GaborWater& sum, gabor_vec3& squeeze, Gabo
     gabor_vec4 square = 1.52587890625e-5f * gabor_vec4(nodes.word & 0xffffu);
     gabor_vec4 amplitude = kept * gabor_cpp_sqrt(normal ? -2.0f * gabor_cpp_log(1.0f - square) : 4.0f * square);
     gabor_vec4 height = amplitude * gabor_vec4(a.y, b.y, c.y, d.y), along = amplitude * gabor_vec4(a.x, b.x, c.x, d.x);
-    gabor_vec2 drift = gabor_cpp_exp2(float(band.exponent)) / 32768.0f * gabor_vec2(band.drift); // metres per second
-    gabor_vec4 passing = drift.x * nodes.window_x + drift.y * nodes.window_y;
-    gabor_vec4 moving = waves.fast * nodes.window * height - passing * along;
-    sum.velocity.z -= gabor_cpp_dot(height, passing);
-    along *= nodes.window;
-    sum.velocity -= gabor_vec3(-band.orbit * gabor_vec2(gabor_cpp_dot(moving, x), gabor_cpp_dot(moving, y)), gabor_cpp_dot(waves.fast, along));
-    sum.slope += gabor_vec2(gabor_cpp_dot(height, nodes.window_x), gabor_cpp_dot(height, nodes.window_y));
-    height *= nodes.window;
-    gabor_vec4 steepness = k * along, squeezed = k * height;
-    gabor_vec4 lost = 1.006f * nodes.window * nodes.window * k * k * (1.0f - kept * kept);
-    sum.height += gabor_cpp_dot(height, gabor_vec4(1.0f));
+    float spacing = gabor_cpp_exp2(float(band.exponent));
+    gabor_vec2 south_north = nodes.window_y, rows = nodes.window_x.x * height.xz() + nodes.window_x.y * height.yw();
+    gabor_vec2 rows_x = nodes.window_x.x * height.yw() - nodes.window_x.y * height.xz();
+    gabor_vec2 change = nodes.rate * gabor_vec2(gabor_cpp_dot(rows_x, south_north), south_north.x * rows.y - south_north.y * rows.x);
+    gabor_vec4 window_x = gabor_vec4(nodes.window_x, nodes.window_x), window_y = gabor_vec4(south_north.xx(), south_north.yy());
+    gabor_vec4 window = window_x * window_y;
+    gabor_vec2 drift = spacing / 32768.0f * gabor_vec2(band.drift), pass_ = drift * nodes.rate;
+    gabor_vec4 passing = pass_.x * gabor_vec4(-window_x.y, window_x.x, -window_x.y, window_x.x) * window_y
+                 + pass_.y * gabor_vec4(-window_y.zw(), window_y.xy()) * window_x;
+    sum.height += gabor_cpp_dot(rows, south_north);
+    sum.slope += change;
+    height *= window;
+    gabor_vec4 moving = waves.fast * height - passing * along;
+    along *= window;
+    sum.velocity += gabor_vec3(band.orbit * gabor_vec2(gabor_cpp_dot(moving, x), gabor_cpp_dot(moving, y)),
+                         -gabor_cpp_dot(drift, change) - gabor_cpp_dot(waves.fast, along));
+    gabor_vec4 steepness = k * along, squeezed = k * height, squeezed_x = squeezed * x;
+    gabor_vec4 lost = window * window * (k * k + 5.482f / (spacing * spacing)) * (1.0f - kept * kept);
     sum.slope += gabor_vec2(gabor_cpp_dot(steepness, x), gabor_cpp_dot(steepness, y));
     sum.shift += band.orbit * gabor_vec2(gabor_cpp_dot(along, x), gabor_cpp_dot(along, y));
-    squeeze += band.orbit * gabor_vec3(gabor_cpp_dot(squeezed, x * x), gabor_cpp_dot(squeezed, x * y), gabor_cpp_dot(squeezed, gabor_vec4(1.0f)));
+    squeeze += band.orbit * gabor_vec3(gabor_cpp_dot(squeezed_x, x), gabor_cpp_dot(squeezed_x, y), gabor_cpp_dot(squeezed, gabor_vec4(1.0f)));
     sum.lost += gabor_vec3(gabor_cpp_dot(lost, x * x), gabor_cpp_dot(lost, x * y), gabor_cpp_dot(lost, gabor_vec4(1.0f)));
 }
 
@@ -612,22 +627,21 @@ GABOR_INLINE float gabor_foam(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborW
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     gabor_vec2 place = gabor_cpp_clamp(0.6f / ocean.high.x, 0.3f, 6.0f) * gabor_vec2(gabor_cpp_dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= gabor_cpp_clamp(0.6f / ocean.high.x, 0.3f, 6.0f);
-    gabor_vec2 torn = gabor_vec2(gabor_noise(gabor_vec2(0.06f, 0.25f) * place, 0.4f, 1.3f, gabor_derived_seed(seed, 14)),
-                     gabor_noise(gabor_vec2(0.4f, 1.1f) * place, 0.6f, 1.2f, gabor_derived_seed(seed, 15)));
-    gabor_vec3 net = gabor_vec3(gabor_noise(gabor_vec2(0.8f, 1.6f) * place, 0.0f, 0.0f, gabor_derived_seed(seed, 16)),
-                    gabor_noise(gabor_vec2(2.6f, 4.6f) * place, 0.0f, 0.0f, gabor_derived_seed(seed, 17)),
-                    gabor_noise(gabor_vec2(10.0f, 16.0f) * place, 0.0f, 0.0f, gabor_derived_seed(seed, 18)));
-    gabor_vec2 torn_kept = gabor_vec2(gabor_impl_foam_kept(pixel, gabor_vec2(0.06f, 0.25f), gabor_vec2(0.107f, 0.3854f)),
-                          gabor_impl_foam_kept(pixel, gabor_vec2(0.4f, 1.1f), gabor_vec2(0.2174f, 0.5592f)));
-    gabor_vec3 net_kept = gabor_vec3(gabor_impl_foam_kept(pixel, gabor_vec2(0.8f, 1.6f), gabor_vec2(0.0f)),
-                         gabor_impl_foam_kept(pixel, gabor_vec2(2.6f, 4.6f), gabor_vec2(0.0f)),
-                         gabor_impl_foam_kept(pixel, gabor_vec2(10.0f, 16.0f), gabor_vec2(0.0f)));
-    net_kept *= net_kept; // zeros are thinner than waves
-    // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
-    gabor_vec2 torn_weight = gabor_vec2(0.96f, 0.72f) * torn_kept;
-    gabor_vec3 net_weight = gabor_vec3(0.58f, 0.44f, 0.33f) * net_kept;
-    float value = energy - least + gabor_cpp_dot(torn_weight, torn) + gabor_cpp_dot(net_weight, 0.7979f - gabor_cpp_abs(net));
-    float removed = 1.763f - gabor_cpp_dot(torn_weight, torn_weight) - 0.3634f * gabor_cpp_dot(net_weight, net_weight); // as in the fit
+    // Each noise has a weight, and takes its variance from that of the fit.
+    float value = energy - least, removed = 1.763f;
+    for (int i = 0; i < 5; ++i) { // a single call, because compilers copy what it calls to each place
+        gabor_vec2 density = i == 0 ? gabor_vec2(0.06f, 0.25f) : i == 1 ? gabor_vec2(0.4f, 1.1f) : i == 2 ? gabor_vec2(0.8f, 1.6f)
+                     : i == 3 ? gabor_vec2(2.6f, 4.6f) : gabor_vec2(10.0f, 16.0f);
+        float frequency = i == 0 ? 0.4f : i == 1 ? 0.6f : 0.0f, direction = i == 0 ? 1.3f : i == 1 ? 1.2f : 0.0f;
+        gabor_vec2 wave = i == 0 ? gabor_vec2(0.107f, 0.3854f) : i == 1 ? gabor_vec2(0.2174f, 0.5592f) : gabor_vec2(0.0f);
+        float weight = i == 0 ? 0.96f : i == 1 ? 0.72f : i == 2 ? 0.58f : i == 3 ? 0.44f : 0.33f;
+        float noise = gabor_noise(density * place, frequency, direction, gabor_derived_seed(seed, i + 14));
+        float share = gabor_impl_foam_kept(pixel, density, wave);
+        weight *= i < 2 ? share : share * share; // zeros are thinner than waves
+        // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
+        value += weight * (i < 2 ? noise : 0.7979f - gabor_cpp_abs(noise));
+        removed -= weight * weight * (i < 2 ? 1.0f : 0.3634f);
+    }
     float x = value * gabor_cpp_inversesqrt(removed);
     // Nearly the normal distribution: 1.5957691 is 2 (2/pi)^(1/2), and 0.044715 was chosen for the least error.
     float share = 1.0f / (1.0f + gabor_cpp_exp(-1.5957691f * x * (1.0f + 0.044715f * x * x)));

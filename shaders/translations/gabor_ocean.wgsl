@@ -86,7 +86,7 @@ struct GaborWater {
     height: f32,     // metres, of mean 0 and normally distributed
     slope: vec2f,    // derivatives of the height by p
     shift: vec2f,    // horizontal displacement in metres, towards crests, which it sharpens
-    jacobian: f32,   // of p + shift by p, within 0.1, or 0.2 for a fetch of 1 km: 1 at rest, lower where it folds
+    jacobian: f32,   // of p + shift by p, within 0.2, or 0.3 for a fetch of 1 km: 1 at rest, lower where it folds
     lost: vec3f,     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
     velocity: vec3f, // of the water in metres per second: along x, along y, and up
 }
@@ -246,10 +246,14 @@ fn gabor_impl_set_directions(band: ptr<function, GaborOceanBand>, reach: f32, po
 // Of a step, the power before windows blur it by `blur` Hz, and how much the spectrum changes there. A band's low end
 // is blurred more than the high end of the band before.
 fn gabor_impl_step_sharp(n: i32, low: f32, reach: f32, blur: f32, edge: vec2f, sea: GaborImplJonswap) -> vec2f {
-    let f = gabor_impl_step_frequency(n, low, reach); let here = gabor_impl_spectrum(f, sea);
-    let before = gabor_impl_spectrum(f - blur, sea); let after = gabor_impl_spectrum(f + blur, sea);
-    let sharp = max(2.0 * here - 0.5 * (before + after), 0.2 * here);
-    return vec2f(sharp * select(select(edge.y, 1.0, n < 28), edge.x, n < 4), abs(after - before));
+    let f = gabor_impl_step_frequency(n, low, reach);
+    var power = vec3f(0.0); // here, before and after
+    for (var i = 0; i < 3; i++) { // a single call, because compilers copy what it calls to each place
+        let here = gabor_impl_spectrum(select(select(f + blur, f - blur, i == 1), f, i == 0), sea);
+        power = select(select(vec3f(power.xy, here), vec3f(power.x, here, 0.0), i == 1), vec3f(here, 0.0, 0.0), i == 0);
+    }
+    let sharp = max(2.0 * power.x - 0.5 * (power.y + power.z), 0.2 * power.x);
+    return vec2f(sharp * select(select(edge.y, 1.0, n < 28), edge.x, n < 4), abs(power.z - power.y));
 }
 
 // Sets the frequencies of a band, by the inverse of their distribution. Between six knots, all have the same chance.
@@ -289,14 +293,14 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
     (*band).last = vec2f(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^exponent metres apart. `beside` has
-// by how much less the band before it is blurred, and more the one behind it. `along` becomes
-// the mean of cos^2 d.
-fn gabor_impl_band(low: f32, reach: f32, exponent: i32, direction: f32, beside: vec2f, sea: GaborImplJonswap,
-                   remote: bool, stands: bool, along: ptr<function, f32>) -> GaborOceanBand {
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
+// cos^2 d.
+fn gabor_impl_band(low: f32, reach: f32, exponent: i32, near: i32, direction: f32, beside: vec2f,
+                   sea: GaborImplJonswap, remote: bool, stands: bool, along: ptr<function, f32>) -> GaborOceanBand {
     let power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    var band = GaborOceanBand(sqrt(power.sum), exponent, low, 0.0, vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0, 0.0,
+    var band = GaborOceanBand(0.0, exponent - near, low, 0.0, vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0, 0.0,
                               vec4f(0.0), vec4f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2i(0));
     *along = gabor_impl_set_directions(&band, reach, power);
     band.slopes = power.sum * power.steep * vec2f((*along), 1.0 - (*along));
@@ -311,15 +315,20 @@ fn gabor_impl_band(low: f32, reach: f32, exponent: i32, direction: f32, beside: 
     let mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     let waves = gabor_impl_dispersion(mean, sea.depth);
     let speed = 3.1415927 * mean / waves.x * (1.0 + waves.y); let spacing = exp2(f32(exponent)); // pi
+    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
+    let nearer = exp2(f32(near));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
-    let carry = 2097152.0 * 0.15915494 / 861.0 * speed;
+    let carry = 2097152.0 * 0.15915494 / 861.0 * speed / nearer;
     band.carry = floor(carry * vec2f(1024.0 * base, rate * GABOR_IMPL_TICK * low) + 0.5) / 1024.0;
     let drift = select(32768.0 * speed / spacing, 0.0, stands) * gabor_impl_wave(0.15915494 * direction);
     band.drift = vec2i(floor(drift + 0.5));
-    // The windows add slopes, half of which are missing where set_frequencies makes spectra sharper.
-    let less = 1.0 - 1.5 / (spacing * spacing * power.steep);
-    band.number = less * GABOR_IMPL_TICK * vec2f(base, GABOR_IMPL_TICK * rate);
+    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
+    // what nearer nodes add, waves are both longer and lower.
+    let added = 5.482 / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
+    let more = added * (nearer * nearer - 1.0);
+    band.amplitude = sqrt(power.sum / (1.0 + 0.3 * more));
+    band.number = (1.0 - 0.27 * added - 0.35 * more) * GABOR_IMPL_TICK * vec2f(base, GABOR_IMPL_TICK * rate);
     // The windows blur frequencies by 3.372^(1/2) / (2 pi) for each spacing that passes in a second.
     gabor_impl_set_frequencies(&band, reach, 0.2923 * speed / spacing, beside, sea);
     return band;
@@ -366,17 +375,19 @@ fn gabor_ocean_of(state: GaborSea) -> GaborOcean {
         var low = gabor_impl_quarter_octave(q);
         let high = gabor_impl_quarter_octave(q + select(2, 1, i == 1 || i == 2));
         var reach = 1024.0 * (high / low - 1.0);
+        var near = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         var beside = vec2f(select(select(0.7, 1.19, i == 2), 0.65, i == 1 || i == 3), select(select(1.41, 1.54, i == 2), 0.84, i == 1));
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0 * floor(select(0.0161, 0.0114, longer) * swell.peak / GABOR_IMPL_TICK + 0.5);
             reach = select(1024.0, 424.0, longer);
             exponent = i32(floor(log2(select(4.5, 9.0, longer) * period * period)));
+            near = 0;
             beside = select(vec2f(0.8, 1.0), vec2f(1.0, 1.2), longer);
         }
         var waves = sea;
         if (remote) { waves = swell; }
-        var band = gabor_impl_band(low, reach, exponent, select(ocean.direction, ocean.swell.z, remote), beside,
-                                   waves, remote, stands, &along);
+        var band = gabor_impl_band(low, reach, exponent, near, select(ocean.direction, ocean.swell.z, remote),
+                                   beside, waves, remote, stands, &along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;
             band.slopes = vec2f(0.0);
@@ -416,11 +427,11 @@ fn gabor_impl_slopes_along(variances: vec2f, along: vec2f) -> vec3f {
 // north east.
 struct GaborImplOceanNodes {
     word: vec4u,
-    from_x: vec4f, // offset of the point from the node, in metres
+    from_x: vec4f,   // offset of the point from the node, in metres
     from_y: vec4f,
-    window: vec4f, // times the band's amplitude, as are its derivatives
-    window_x: vec4f,
-    window_y: vec4f,
+    window_x: vec2f, // along each axis, of west and east times the band's amplitude, and of south and north
+    window_y: vec2f,
+    rate: vec2f,     // the derivatives of window_x and window_y are rate (-y, x) of them
 }
 
 fn gabor_impl_ocean_nodes(band: GaborOceanBand, cell: vec2i, local: vec2f, second: i32, fraction: f32, salt: u32) -> GaborImplOceanNodes {
@@ -437,16 +448,13 @@ fn gabor_impl_ocean_nodes(band: GaborOceanBand, cell: vec2i, local: vec2f, secon
     let middle = 2.0 * offset - 1.0; let fourth = middle * middle * middle * middle;
     // 0.15625 is 5/32 and 1.9634954 is 5/8 pi
     let turns = 0.125 + middle * (0.15625 - 0.03125 * fourth); let slope = 1.9634954 / spacing * (1.0 - fourth);
-    let turn_x = band.amplitude * gabor_impl_half_turn(turns.x); let turn_y = gabor_impl_half_turn(turns.y);
-    let along_x = vec4f(turn_x, turn_x); let along_y = vec4f(turn_y.xx, turn_y.yy);
     let west = gabor_impl_line_word(node.x, salt); let east = gabor_impl_line_word(node.x + 1, salt);
     let south = gabor_impl_line_word(node.y, salt ^ GABOR_IMPL_ROWS);
     let north = gabor_impl_line_word(node.y + 1, salt ^ GABOR_IMPL_ROWS);
     return GaborImplOceanNodes(vec4u(south * west, south * east, north * west, north * east),
                                spacing * (offset.x - vec4f(0.0, 1.0, 0.0, 1.0)),
-                               spacing * (offset.y - vec4f(0.0, 0.0, 1.0, 1.0)), along_x * along_y,
-                               slope.x * vec4f(-turn_x.y, turn_x.x, -turn_x.y, turn_x.x) * along_y,
-                               slope.y * vec4f(-turn_y.yy, turn_y.xx) * along_x);
+                               spacing * (offset.y - vec4f(0.0, 0.0, 1.0, 1.0)),
+                               band.amplitude * gabor_impl_half_turn(turns.x), gabor_impl_half_turn(turns.y), slope);
 }
 
 // The waves of four nodes.
@@ -510,20 +518,27 @@ fn gabor_impl_add_band(sum: ptr<function, GaborWater>, squeeze: ptr<function, ve
     let square = 1.52587890625e-5 * vec4f(nodes.word & vec4u(0xffffu));
     let amplitude = kept * sqrt(select(4.0 * square, -2.0 * log(1.0 - square), normal));
     var height = amplitude * vec4f(a.y, b.y, c.y, d.y); var along = amplitude * vec4f(a.x, b.x, c.x, d.x);
-    let drift = exp2(f32(band.exponent)) / 32768.0 * vec2f(band.drift); // metres per second
-    let passing = drift.x * nodes.window_x + drift.y * nodes.window_y;
-    let moving = waves.fast * nodes.window * height - passing * along;
-    (*sum).velocity.z -= dot(height, passing);
-    along *= nodes.window;
-    (*sum).velocity -= vec3f(-band.orbit * vec2f(dot(moving, x), dot(moving, y)), dot(waves.fast, along));
-    (*sum).slope += vec2f(dot(height, nodes.window_x), dot(height, nodes.window_y));
-    height *= nodes.window;
-    let steepness = k * along; let squeezed = k * height;
-    let lost = 1.006 * nodes.window * nodes.window * k * k * (1.0 - kept * kept);
-    (*sum).height += dot(height, vec4f(1.0));
+    let spacing = exp2(f32(band.exponent));
+    let south_north = nodes.window_y; let rows = nodes.window_x.x * height.xz + nodes.window_x.y * height.yw;
+    let rows_x = nodes.window_x.x * height.yw - nodes.window_x.y * height.xz;
+    let change = nodes.rate * vec2f(dot(rows_x, south_north), south_north.x * rows.y - south_north.y * rows.x);
+    let window_x = vec4f(nodes.window_x, nodes.window_x); let window_y = vec4f(south_north.xx, south_north.yy);
+    let window = window_x * window_y;
+    let drift = spacing / 32768.0 * vec2f(band.drift); let pass_ = drift * nodes.rate;
+    let passing = pass_.x * vec4f(-window_x.y, window_x.x, -window_x.y, window_x.x) * window_y
+                 + pass_.y * vec4f(-window_y.zw, window_y.xy) * window_x;
+    (*sum).height += dot(rows, south_north);
+    (*sum).slope += change;
+    height *= window;
+    let moving = waves.fast * height - passing * along;
+    along *= window;
+    (*sum).velocity += vec3f(band.orbit * vec2f(dot(moving, x), dot(moving, y)),
+                             -dot(drift, change) - dot(waves.fast, along));
+    let steepness = k * along; let squeezed = k * height; let squeezed_x = squeezed * x;
+    let lost = window * window * (k * k + 5.482 / (spacing * spacing)) * (1.0 - kept * kept);
     (*sum).slope += vec2f(dot(steepness, x), dot(steepness, y));
     (*sum).shift += band.orbit * vec2f(dot(along, x), dot(along, y));
-    *squeeze += band.orbit * vec3f(dot(squeezed, x * x), dot(squeezed, x * y), dot(squeezed, vec4f(1.0)));
+    *squeeze += band.orbit * vec3f(dot(squeezed_x, x), dot(squeezed_x, y), dot(squeezed, vec4f(1.0)));
     (*sum).lost += vec3f(dot(lost, x * x), dot(lost, x * y), dot(lost, vec4f(1.0)));
 }
 
@@ -604,22 +619,22 @@ fn gabor_foam(p: vec2f, dx: vec2f, dy: vec2f, water: GaborWater, ocean_in: Gabor
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     let place = clamp(0.6 / ocean.high.x, 0.3, 6.0) * vec2f(dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= clamp(0.6 / ocean.high.x, 0.3, 6.0);
-    let torn = vec2f(gabor_noise(vec2f(0.06, 0.25) * place, 0.4, 1.3, gabor_derived_seed(seed, 14)),
-                     gabor_noise(vec2f(0.4, 1.1) * place, 0.6, 1.2, gabor_derived_seed(seed, 15)));
-    let net = vec3f(gabor_noise(vec2f(0.8, 1.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 16)),
-                    gabor_noise(vec2f(2.6, 4.6) * place, 0.0, 0.0, gabor_derived_seed(seed, 17)),
-                    gabor_noise(vec2f(10.0, 16.0) * place, 0.0, 0.0, gabor_derived_seed(seed, 18)));
-    let torn_kept = vec2f(gabor_impl_foam_kept(pixel, vec2f(0.06, 0.25), vec2f(0.107, 0.3854)),
-                          gabor_impl_foam_kept(pixel, vec2f(0.4, 1.1), vec2f(0.2174, 0.5592)));
-    var net_kept = vec3f(gabor_impl_foam_kept(pixel, vec2f(0.8, 1.6), vec2f(0.0)),
-                         gabor_impl_foam_kept(pixel, vec2f(2.6, 4.6), vec2f(0.0)),
-                         gabor_impl_foam_kept(pixel, vec2f(10.0, 16.0), vec2f(0.0)));
-    net_kept *= net_kept; // zeros are thinner than waves
-    // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
-    let torn_weight = vec2f(0.96, 0.72) * torn_kept;
-    let net_weight = vec3f(0.58, 0.44, 0.33) * net_kept;
-    let value = energy - least + dot(torn_weight, torn) + dot(net_weight, 0.7979 - abs(net));
-    let removed = 1.763 - dot(torn_weight, torn_weight) - 0.3634 * dot(net_weight, net_weight); // as in the fit
+    // Each noise has a weight, and takes its variance from that of the fit.
+    var value = energy - least; var removed = 1.763;
+    for (var i = 0; i < 5; i++) { // a single call, because compilers copy what it calls to each place
+        let density = select(select(select(select(vec2f(10.0, 16.0), vec2f(2.6, 4.6), i == 3),
+                                                                            vec2f(0.8, 1.6), i == 2), vec2f(0.4, 1.1), i == 1), vec2f(0.06, 0.25), i == 0);
+        let frequency = select(select(0.0, 0.6, i == 1), 0.4, i == 0);
+        let direction = select(select(0.0, 1.2, i == 1), 1.3, i == 0);
+        let wave = select(select(vec2f(0.0), vec2f(0.2174, 0.5592), i == 1), vec2f(0.107, 0.3854), i == 0);
+        var weight = select(select(select(select(0.33, 0.44, i == 3), 0.58, i == 2), 0.72, i == 1), 0.96, i == 0);
+        let noise = gabor_noise(density * place, frequency, direction, gabor_derived_seed(seed, i + 14));
+        let share = gabor_impl_foam_kept(pixel, density, wave);
+        weight *= select(share * share, share, i < 2); // zeros are thinner than waves
+        // |n| of a normal n has the mean (2 / pi)^(1/2) and the variance 1 - 2 / pi.
+        value += weight * select(0.7979 - abs(noise), noise, i < 2);
+        removed -= weight * weight * select(0.3634, 1.0, i < 2);
+    }
     let x = value * inverseSqrt(removed);
     // Nearly the normal distribution: 1.5957691 is 2 (2/pi)^(1/2), and 0.044715 was chosen for the least error.
     let share = 1.0 / (1.0 + exp(-1.5957691 * x * (1.0 + 0.044715 * x * x)));
