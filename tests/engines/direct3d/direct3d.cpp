@@ -2,7 +2,7 @@
 //     direct3d compile                    reads lines "FILE PROFILE FLAGS", compiles each file with FXC, and
 //     prints the
 //                                         line, the time and, if it failed, the compiler's messages
-//     direct3d fxc SHADER.hlsl... VALUES  runs compute shaders that fill 256 x 257 floats each, and writes these
+//     direct3d fxc SHADER.hlsl... VALUES  runs compute shaders that fill 256 x 257 floats, and writes these
 //     direct3d angle SHADER.frag VALUES   draws a fragment shader of OpenGL ES with ANGLE, and writes the red
 //     channel
 // fxc and angle print the version and, after all, "done".
