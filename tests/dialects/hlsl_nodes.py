@@ -123,17 +123,19 @@ def in_unreal(folder, node, arguments, value, _):
         f"{value} + 0.0 * {first}{'.x' * (size > 1)}"  # so that the compiler finds no unused variable
 
 
-def compiled(compiler, folder, shader):
-    """Returns the driver's name and the picture that a compute shader draws."""
-    source, made = folder / "node.hlsl", folder / "node.raw"
-    source.write_text(shader)
-    if compiler == "dxc":
-        subprocess.run([sys.executable, "-B", HERE / "dxc.py", source, folder / "node.spv", "-Wno-unused-parameter"], check=True)
-        driver, values = on_vulkan(folder / "node.spv")
-        return driver, values
-    said = subprocess.run([sys.executable, "-B", HERE.parent / "engines/direct3d/run.py", "fxc", made, source], check=True, stdout=subprocess.PIPE,
-                          text=True).stdout
-    return json.loads(said.splitlines()[-1])["driver"], np.fromfile(made, "<f4")
+def drawn_by(compiler, folder, shaders):
+    """Returns the driver's name and the pictures that compute shaders draw. Wine, which takes longest to start, starts once."""
+    sources, made = [folder / f"node{i}.hlsl" for i in range(len(shaders))], folder / "nodes.raw"
+    for source, shader in zip(sources, shaders):
+        source.write_text(shader)
+    if compiler == "fxc":
+        said = subprocess.run([sys.executable, "-B", HERE.parent / "engines/direct3d/run.py", "fxc", made, *sources], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+        return json.loads(said.splitlines()[-1])["driver"], np.split(np.fromfile(made, "<f4"), len(shaders))
+    for source in sources:
+        subprocess.run([sys.executable, "-B", HERE / "dxc.py", source, source.with_suffix(".spv"), "-Wno-unused-parameter"], check=True)
+    driver, *pictures = on_vulkan(*(source.with_suffix(".spv") for source in sources))
+    return driver, pictures
 
 
 def wanted(engine, node, arguments, folder):
@@ -158,34 +160,35 @@ def wanted(engine, node, arguments, folder):
 def main():
     engine, compiler, path = sys.argv[1:]
     call, kinds = {"unity": (in_unity, ["float", "half"]), "unreal": (in_unreal, ["float"])}[engine]
-    errors, pictures = {}, []
+    errors, cases, shaders = {}, [], []  # the first case is the noise
     with tempfile.TemporaryDirectory(prefix="gabor-") as scratch:
         scratch = pathlib.Path(scratch)
         folder = packaged(engine, scratch / "package")
         for node in hlsl_nodes.table():
             arguments, values = EQUATIONS.get(node.name, (given(node), {node.name: weighted(node)}))
-            known = None if node.name in EQUATIONS else wanted(engine, node, arguments, scratch)
             # FXC takes twice as long for both precisions in one shader as in two.
             for (name, value), kind in itertools.product(values.items(), kinds):
                 before, main, value = call(folder, node, arguments, value, kind)
-                shader = HLSL.replace("STEP_X", STEPS[0]).replace("STEP_Y", STEPS[1]).replace("BEFORE", before).replace("MAIN", main).replace("VALUE", value)
-                driver, drawn = compiled(compiler, scratch, shader)
-                if node.name in EQUATIONS:
-                    column, (error, at), limit = name, reference.largest_difference(name, drawn[:256 * 256]), 1e-5
-                else:
-                    difference = np.abs(drawn[:256 * 256] - known[:256 * 256])
-                    column, at = CALLS.get(node.name, MATERIAL)[0], divmod(int(difference.argmax()), 256)
-                    # Hairline scratches, borders of grass or snow, and derivatives of octaves magnify rounding errors.
-                    limit = {"materials": 2e-3, "fractal": 5e-4, "erosion": 5e-4}.get(column, 1e-4)
-                    # Normals jump at threads, where rounding decides: leaves out one pixel in 1000.
-                    error = (np.quantile(difference, 0.999) if column == "materials" else difference.max()) / known.std()
-                print(f"{engine}, {compiler}: {name}, {kind}: largest difference {error:.2g} at row and column {at}", file=sys.stderr, flush=True)
-                if not error < limit:
-                    sys.exit(f"{node.name} differs by more than {limit:g}")
-                errors[column] = max(errors.get(column, 0.0), float(error))
-                pictures = drawn if name == "noise" else pictures
+                shaders.append(HLSL.replace("STEP_X", STEPS[0]).replace("STEP_Y", STEPS[1]).replace("BEFORE", before).replace("MAIN", main).replace("VALUE", value))
+                cases.append((node, arguments, name, kind))
+        driver, pictures = drawn_by(compiler, scratch, shaders)
+        for (node, arguments, name, kind), drawn in zip(cases, pictures, strict=True):
+            if node.name in EQUATIONS:
+                column, (error, at), limit = name, reference.largest_difference(name, drawn[:256 * 256]), 1e-5
+            else:
+                known = wanted(engine, node, arguments, scratch)
+                difference = np.abs(drawn[:256 * 256] - known[:256 * 256])
+                column, at = CALLS.get(node.name, MATERIAL)[0], divmod(int(difference.argmax()), 256)
+                # FXC rounds differently, which hairline scratches, borders of grass or snow, and derivatives of octaves magnify.
+                limit = {"materials": 1e-3, "fractal": 5e-4, "erosion": 5e-4}.get(column, 1e-4) if compiler == "fxc" else 1e-4
+                # Normals jump at threads, where rounding decides: leaves out one pixel in 1000.
+                error = (np.quantile(difference, 0.999) if column == "materials" else difference.max()) / known.std()
+            print(f"{engine}, {compiler}: {name}, {kind}: largest difference {error:.2g} at row and column {at}", file=sys.stderr, flush=True)
+            if not error < limit:
+                sys.exit(f"{node.name} differs by more than {limit:g}")
+            errors[column] = max(errors.get(column, 0.0), float(error))
     said = {"dxc": "HLSL by DXC", "fxc": "HLSL by FXC"}[compiler]
-    report(path, pictures, {"unity": "Unity's functions", "unreal": "Unreal's Custom node"}[engine], "-", said, driver, functions=errors)
+    report(path, pictures[0], {"unity": "Unity's functions", "unreal": "Unreal's Custom node"}[engine], "-", said, driver, functions=errors)
 
 
 main()

@@ -304,7 +304,7 @@ class Names(unittest.TestCase):
         # are those of nodes, four along an axis or nine in the plane. Only constants and bounded loop counters index them.
         self.assertEqual(set(re.findall(r"\w+ \w+\[[\w +]+\]", self.code)),
                          {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]",
-                          "GaborOceanBand band[GABOR_OCEAN_BANDS + 2]"})
+                          "GaborOceanBand band[GABOR_OCEAN_BANDS + 2]", "GaborOceanBand bands[GABOR_OCEAN_BANDS + 2]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 

@@ -2,7 +2,7 @@
 //     direct3d compile                    reads lines "FILE PROFILE FLAGS", compiles each file with FXC, and
 //     prints the
 //                                         line, the time and, if it failed, the compiler's messages
-//     direct3d fxc SHADER.hlsl VALUES     runs a compute shader that fills 256 x 257 floats, and writes these
+//     direct3d fxc SHADER.hlsl... VALUES  runs compute shaders that fill 256 x 257 floats, and writes these
 //     direct3d angle SHADER.frag VALUES   draws a fragment shader of OpenGL ES with ANGLE, and writes the red
 //     channel
 // fxc and angle print the version and, after all, "done".
@@ -147,12 +147,16 @@ std::vector<float> angle(const char* path) {
 
 } // namespace
 
-int main(int, char** argv) {
+int main(int count, char** argv) {
     const std::string mode = argv[1];
     if (mode == "compile")
         return compile();
-    const std::vector<float> values = mode == "fxc" ? fxc(argv[2]) : angle(argv[2]);
-    std::ofstream(argv[3], std::ios::binary).write(reinterpret_cast<const char*>(values.data()), 4 * size);
+    std::ofstream file(argv[count - 1], std::ios::binary);
+    for (int i = 2; i < count - 1; ++i) {
+        const std::vector<float> values = mode == "fxc" ? fxc(argv[i]) : angle(argv[i]);
+        file.write(reinterpret_cast<const char*>(values.data()), 4 * size);
+    }
+    file.close();
     // Wine kills a process whose end takes a second, so that its status says nothing.
     std::cout << "done" << std::endl;
 }

@@ -1,6 +1,6 @@
 """Draws with Direct3D 11 in Wine: run.py fxc|angle VALUES.raw DROP_IN [NAME=VALUE], where fxc without macros first compiles each
 function of the drop-ins that need no other one before DROP_IN, for each stage, with and without optimization;
-or a custom shader: run.py fxc VALUES.raw SHADER.hlsl, run.py angle VALUES.raw SHADER.frag
+or custom shaders, whose pictures follow each other: run.py fxc VALUES.raw SHADER.hlsl..., run.py angle VALUES.raw SHADER.frag
 
 GABOR_DIRECT3D is the folder with direct3d.exe, the libraries of FXC and ANGLE, and Wine's files; DROP_IN.txt there receives
 FXC's time for each function."""
@@ -28,10 +28,10 @@ OPTIMIZED, SKIP_OPTIMIZATION = 0, 4
 
 
 def direct3d(mode, *arguments, **options):
-    """Returns what the program prints in Wine. Wine's desktop, which outlives the program, would lose its display. Its debugger would
-    wait for ever where one of its services fails."""
+    """Returns what the program prints in Wine. Wine's desktop, which outlives the program, would lose its display, and Xvfb
+    may outlive both: neither may hold the lock. Its debugger would wait for ever where one of its services fails."""
     folder = FOLDER / f"wine-{mode}"
-    display = ["flock", f"{folder}.lock", "xvfb-run", "-a", "sh", "-c", '"$@"; status=$?; /usr/lib/wine/wineserver -k; exit $status', "-"]
+    display = ["flock", "--close", f"{folder}.lock", "xvfb-run", "-a", "sh", "-c", '"$@"; status=$?; /usr/lib/wine/wineserver -k; exit $status', "-"]
     command = [*(display if mode != "compile" else []), "/usr/lib/wine/wine64", FOLDER / "direct3d.exe", mode, *arguments]
     settings = {"WINEPREFIX": str(folder), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "d3dcompiler_47=n;mscoree,mshtml=;winedbg.exe=d"}
     return subprocess.run(command, env=os.environ | settings, text=True, stdout=subprocess.PIPE, **options).stdout
@@ -40,16 +40,17 @@ def direct3d(mode, *arguments, **options):
 def draw(dialect, path, name, macros):
     ending, engine, language = ("hlsl", "FXC", "HLSL by FXC") if dialect == "fxc" else ("frag", "ANGLE", "GLSL 300 es")
     if name.endswith(ending):
-        text = pathlib.Path(name).read_text()
-    elif dialect == "fxc":
-        scene = (ROOT / "tests/dialects/scene.hlsl").read_text()
-        text = scene.replace('#include "gabor_noise.hlsl"\n', drop_in(name, macros, "hlsl"))
+        said = direct3d(dialect, name, *macros, path)
     else:
-        text = "#version 300 es\nprecision highp float;\n" + drop_in(name, macros) + FRAGMENT
-    with tempfile.NamedTemporaryFile("w", suffix=f".{ending}") as shader:
-        shader.write(text)
-        shader.flush()
-        said = direct3d(dialect, shader.name, path)
+        if dialect == "fxc":
+            scene = (ROOT / "tests/dialects/scene.hlsl").read_text()
+            text = scene.replace('#include "gabor_noise.hlsl"\n', drop_in(name, macros, "hlsl"))
+        else:
+            text = "#version 300 es\nprecision highp float;\n" + drop_in(name, macros) + FRAGMENT
+        with tempfile.NamedTemporaryFile("w", suffix=f".{ending}") as shader:
+            shader.write(text)
+            shader.flush()
+            said = direct3d(dialect, shader.name, path)
     if "done" not in said:
         sys.exit(f"{engine} failed")
     version = re.search(r"ANGLE ([.\d]+).*Direct3D11|d3dcompiler_(\d+)", said, re.DOTALL)
