@@ -978,7 +978,8 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
           + 3.24e-6 * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25)
           + 1.6e-5 * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8, 0.2);
     float unit = 0.6 * leather.relief;
-    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
+    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15 * (1.0 - share),
+                               0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {

@@ -990,7 +990,8 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
           + 3.24e-6f * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25f)
           + 1.6e-5f * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8f, 0.2f);
     float unit = 0.6f * leather.relief;
-    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
+    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15f * (1.0f - share),
+                               0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {

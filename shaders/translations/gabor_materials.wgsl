@@ -986,7 +986,8 @@ fn gabor_impl_leather(pixel: GaborImplPixel, skin: GaborImplPixel, leather: Gabo
           + 3.24e-6 * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25)
           + 1.6e-5 * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8, 0.2);
     let unit = 0.6 * leather.relief;
-    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
+    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15 * (1.0 - share),
+                               0.0);
 }
 
 fn gabor_leather_at(p: vec2f, period: vec2f, leather: GaborLeather, seed: u32) -> GaborMaterial {
