@@ -81,7 +81,7 @@ struct GaborFabric {
     float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
-// Pebbled grain: cells between creases [8 noises; period 3 x 3].
+// Pebbled grain: wrinkled cells with pores, between creases [8 noises; period 3 x 3].
 struct GaborLeather {
     vec3 pebble_colour; // colour of the cells
     vec3 crease_colour; // colour between the cells
@@ -977,8 +977,9 @@ GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPixel skin, Gabo
     lost += warped + mix(3.67e-6, grains / float(samples), kept) * of.pair_0.lost
           + 3.24e-6 * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25)
           + 1.6e-5 * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8, 0.2);
-    lost *= leather.relief * leather.relief;
-    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15 * (1.0 - share), 0.0);
+    float unit = 0.6 * leather.relief;
+    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15 * (1.0 - share),
+                               0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
@@ -1190,8 +1191,8 @@ GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScra
                                   2 * i + 1);
 }
 
-// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is where
-// both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is
+// where both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
 void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = exp2(-0.13 * float(i));
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
@@ -1201,14 +1202,12 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
     sum.colour *= 1.0 - (0.25 + 0.7 * size) * scratch.x;
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz;
-    // Each noise's slopes, times the mean square of the other's share. Beyond three deviations, the noise has fewer
-    // values than a normal law: a fit to amounts from 0.01 to 8.
+    // The mean square of `open`, as in gabor_impl_above_variance; 1.14 stands for its own slopes.
+    // Beyond three deviations, the noise has fewer values than a normal law: a fit to amounts from 0.01 to 8.
     float rare = threshold / 3.85, rarer = rare * rare * rare * rare;
-    vec3 lost = (open.x * open.x + gabor_impl_above_variance(open.x, noise.removed, 0.25))
-                  * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12)
-              + (peak.x * peak.x + gabor_impl_above_variance(peak.x, noise.removed, 0.12))
-                  * gabor_impl_above_lost(noise.second, noise.removed, noise.lost, 0.3, 0.25);
-    sum.lost += 0.95 * size * size / (1.0 + rarer * rarer) * lost;
+    sum.lost += 1.14 / (1.0 + rarer * rarer) * size * size
+              * open.x * mix(open.x, 1.0, noise.removed / (noise.removed + 0.09375))
+              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12);
 }
 
 GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
@@ -1527,13 +1526,13 @@ float gabor_roughness(GaborMaterial material) {
 }
 
 GaborWood gabor_wood_default() {
-    return GaborWood(vec3(0.50, 0.275, 0.115), vec3(0.20, 0.078, 0.027), 13.0, 1.0, 0.75, 0.5);
+    return GaborWood(vec3(0.51, 0.283, 0.098), vec3(0.21, 0.061, 0.027), 13.0, 1.0, 0.75, 0.5);
 }
 GaborFabric gabor_fabric_default() {
     return GaborFabric(vec3(0.50, 0.43, 0.33), vec3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0, 0.0);
 }
 GaborLeather gabor_leather_default() {
-    return GaborLeather(vec3(0.20, 0.068, 0.026), vec3(0.04, 0.014, 0.007), 6.88, 1.0, 1.0, 0.4);
+    return GaborLeather(vec3(0.20, 0.068, 0.026), vec3(0.093, 0.016, 0.0086), 6.88, 1.0, 1.0, 0.4);
 }
 GaborMarble gabor_marble_default() {
     return GaborMarble(vec3(0.80, 0.79, 0.77), vec3(0.13, 0.135, 0.145), 1.0, 1.0, 0.25, 0.2);

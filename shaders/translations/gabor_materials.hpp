@@ -93,7 +93,7 @@ struct GaborFabric {
     float weave;      // plain weave 0, twill 1, herringbone 2, 0 to 2
 };
 
-// Pebbled grain: cells between creases [8 noises; period 3 x 3].
+// Pebbled grain: wrinkled cells with pores, between creases [8 noises; period 3 x 3].
 struct GaborLeather {
     gabor_vec3 pebble_colour; // colour of the cells
     gabor_vec3 crease_colour; // colour between the cells
@@ -989,8 +989,9 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborImplPixel pixel, GaborImplPix
     lost += warped + gabor_cpp_mix(3.67e-6f, grains / float(samples), kept) * of.pair_0.lost
           + 3.24e-6f * gabor_impl_line_lost(fine.first, fine.removed, fine.lost, 0.25f)
           + 1.6e-5f * gabor_impl_above_lost(fine.first, fine.removed, fine.lost, 1.8f, 0.2f);
-    lost *= leather.relief * leather.relief;
-    return gabor_impl_material(colour, leather.relief * height, lost, leather.roughness + 0.15f * (1.0f - share), 0.0f);
+    float unit = 0.6f * leather.relief;
+    return gabor_impl_material(colour, unit * height, unit * unit * lost, leather.roughness + 0.15f * (1.0f - share),
+                               0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
@@ -1202,8 +1203,8 @@ GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pix
                                   2 * i + 1);
 }
 
-// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is where
-// both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is
+// where both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
 GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = gabor_cpp_exp2(-0.13f * float(i));
     float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
@@ -1213,14 +1214,12 @@ GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches sc
     sum.colour *= 1.0f - (0.25f + 0.7f * size) * scratch.x;
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz();
-    // Each noise's slopes, times the mean square of the other's share. Beyond three deviations, the noise has fewer
-    // values than a normal law: a fit to amounts from 0.01 to 8.
+    // The mean square of `open`, as in gabor_impl_above_variance; 1.14 stands for its own slopes.
+    // Beyond three deviations, the noise has fewer values than a normal law: a fit to amounts from 0.01 to 8.
     float rare = threshold / 3.85f, rarer = rare * rare * rare * rare;
-    gabor_vec3 lost = (open.x * open.x + gabor_impl_above_variance(open.x, noise.removed, 0.25f))
-                  * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12f)
-              + (peak.x * peak.x + gabor_impl_above_variance(peak.x, noise.removed, 0.12f))
-                  * gabor_impl_above_lost(noise.second, noise.removed, noise.lost, 0.3f, 0.25f);
-    sum.lost += 0.95f * size * size / (1.0f + rarer * rarer) * lost;
+    sum.lost += 1.14f / (1.0f + rarer * rarer) * size * size
+              * open.x * gabor_cpp_mix(open.x, 1.0f, noise.removed / (noise.removed + 0.09375f))
+              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.12f);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
@@ -1539,13 +1538,13 @@ GABOR_INLINE float gabor_roughness(GaborMaterial material) {
 }
 
 GABOR_INLINE GaborWood gabor_wood_default() {
-    return GaborWood{gabor_vec3(0.50f, 0.275f, 0.115f), gabor_vec3(0.20f, 0.078f, 0.027f), 13.0f, 1.0f, 0.75f, 0.5f};
+    return GaborWood{gabor_vec3(0.51f, 0.283f, 0.098f), gabor_vec3(0.21f, 0.061f, 0.027f), 13.0f, 1.0f, 0.75f, 0.5f};
 }
 GABOR_INLINE GaborFabric gabor_fabric_default() {
     return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f, 0.0f, 0.0f};
 }
 GABOR_INLINE GaborLeather gabor_leather_default() {
-    return GaborLeather{gabor_vec3(0.20f, 0.068f, 0.026f), gabor_vec3(0.04f, 0.014f, 0.007f), 6.88f, 1.0f, 1.0f, 0.4f};
+    return GaborLeather{gabor_vec3(0.20f, 0.068f, 0.026f), gabor_vec3(0.093f, 0.016f, 0.0086f), 6.88f, 1.0f, 1.0f, 0.4f};
 }
 GABOR_INLINE GaborMarble gabor_marble_default() {
     return GaborMarble{gabor_vec3(0.80f, 0.79f, 0.77f), gabor_vec3(0.13f, 0.135f, 0.145f), 1.0f, 1.0f, 0.25f, 0.2f};
