@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -250,6 +251,60 @@ TEST_CASE("heights and slopes of the sea are normal at any one place and time", 
         CHECK(heights.index().value < 0.5);
         CHECK(along.index().value < 3);
         CHECK(across.index().value < 3);
+    }
+}
+
+// Patches of 16 m: how far the share and the direction of their slopes' larger half scatter says how many
+// waves meet in them. Waves in few, long packets scatter more, and look like a weave from above.
+TEST_CASE("as many waves meet in a patch of water as in a sea of plane waves", "[ocean][law]") {
+    constexpr int side = 16, patches = 300;
+    for (const float wind : {12.0f, 20.0f}) {
+        const GaborOcean sea = gabor_ocean(wind);
+        const std::vector<Wave> plane = waves(wind, 0, sea.fetch, lowest(sea), highest(sea), 60, 60);
+        Random random(1);
+        const auto scatter = [&](const auto& slope_of) { // of (xx - yy, 2 xy) / (xx + yy)
+            Moments share, turn;
+            for (int patch = 0; patch < patches; ++patch) {
+                double xx = 0, yy = 0, xy = 0;
+                slope_of([&](double x, double y) {
+                    xx += x * x;
+                    yy += y * y;
+                    xy += x * y;
+                });
+                share.add((xx - yy) / (xx + yy));
+                turn.add(2 * xy / (xx + yy));
+            }
+            return share.variance() + turn.variance();
+        };
+        const double seen = scatter([&](const auto& add) {
+            const Place place = anywhere(random);
+            for (int i = 0; i < side * side; ++i) {
+                const gabor_vec2 slope = place.water(sea, i % side, i / side).slope;
+                add(static_cast<double>(slope.x), static_cast<double>(slope.y));
+            }
+        });
+        const double ideal = scatter([&](const auto& add) {
+            std::vector<std::complex<double>> slopes_x(side * side), slopes_y(side * side);
+            for (const Wave& wave : plane) {
+                const double phase = 2 * pi * static_cast<double>(random.uniform(0, 1));
+                const std::complex<double> right = std::polar(1.0, 2 * pi * wave.x),
+                                           up = std::polar(1.0, 2 * pi * wave.y);
+                std::complex<double> row = std::polar(2 * pi * std::sqrt(2 * wave.power), phase);
+                for (int y = 0; y < side; ++y, row *= up) {
+                    std::complex<double> value = row;
+                    for (int x = 0; x < side; ++x, value *= right) {
+                        slopes_x[static_cast<std::size_t>(side * y + x)] += wave.x * value;
+                        slopes_y[static_cast<std::size_t>(side * y + x)] += wave.y * value;
+                    }
+                }
+            }
+            for (std::size_t i = 0; i < slopes_x.size(); ++i)
+                add(slopes_x[i].real(), slopes_y[i].real());
+        });
+        fmt::print("wind {}: slopes of patches scatter by {:.4f}, those of plane waves by {:.4f}\n", wind,
+                   seen, ideal);
+        CHECK(seen < 1.45 * ideal);
+        CHECK(seen > 0.8 * ideal);
     }
 }
 
