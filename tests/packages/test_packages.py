@@ -835,10 +835,10 @@ class Release(Folder):
     def test_commands_publish_the_packages(self):
         commands = runpy.run_path(str(ROOT / "tools" / "release"))["PUBLISH"]
         named = set(re.findall(r"build/packages/\S+(?:\.tgz|\.zip|\.toml)", commands))
-        for name in ("npm", "unity", "bevy", "blender", "godot", "materialx"):
+        for name in ("npm", "unity", "bevy", "blender", "godot", "materialx", "demo"):
             run(sys.executable, "-B", ROOT / "tools" / "package", name)
         self.assertEqual([path for path in named if not (ROOT / path).exists()], [])
-        self.assertEqual(len(named), 6)
+        self.assertEqual(len(named), 7)
 
     def test_sets_the_version_everywhere(self):
         made = self.release("--set", "9.8.7")
