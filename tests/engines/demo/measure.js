@@ -141,7 +141,7 @@ const settingsOf = tab => Object.fromEntries(TABS[tab].controls.map(each => [eac
     : each.colour ? "#3b7ea1" : +(each.min + 0.37 * (each.max - each.min)).toFixed(each.step < 1 ? 4 : 0)]));
 const OPTIONS = {
     erosion: [{ preset: "canyon", octaves: 3, water: -2 }, { cover: "badlands", distance: 2, x: 3, y: -5, water: 0 }],
-    sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }],
+    sea: [{ wind: 18, sun: 15, altitude: 9, seconds: 61.25, moving: false }, { wind: 25, sun: 15, altitude: 30, seconds: 7.5, moving: false }],
     materials: [...new Set(DATA.controls.map(each => each.name.split(".")[0]))].map(preset => ({ preset }))
         .concat({ preset: "oak-planks", boards: true, finish: true }),
     noise: [{ look: "plain", taps: 2 }, { look: "relief", taps: 4 }, ...["plain", "relief", "colours", "evolving"].map(look => ({ look }))],
