@@ -603,10 +603,10 @@ float gabor_foam(vec2 p, vec2 dx, vec2 dy, GaborWater water, GaborOcean ocean, u
     vec4 pixel = vec4(dot(along, dx), along.x * dx.y - along.y * dx.x, dot(along, dy), along.x * dy.y - along.y * dy.x);
     vec2 sides = vec2(dot(pixel.xz, pixel.xz), dot(pixel.yw, pixel.yw));
     float kept = 1.0e-6;
-    for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
-        float power = ocean.band[i].amplitude * ocean.band[i].amplitude;
+    for (int j = 0; j < GABOR_OCEAN_BANDS + 2; ++j) {
+        float power = ocean.band[j].amplitude * ocean.band[j].amplitude;
         // Instead of exp(-3 (rest - 1)), because waves differ
-        float rest = 1.0 + dot(ocean.band[i].slopes, sides) / max(12.0 * power, 1.0e-9);
+        float rest = 1.0 + dot(ocean.band[j].slopes, sides) / max(12.0 * power, 1.0e-9);
         kept += power / (rest * rest * rest);
     }
     kept /= ocean.high.x * ocean.high.x;

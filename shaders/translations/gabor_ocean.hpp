@@ -609,10 +609,10 @@ GABOR_INLINE float gabor_foam(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborW
     gabor_vec4 pixel = gabor_vec4(gabor_cpp_dot(along, dx), along.x * dx.y - along.y * dx.x, gabor_cpp_dot(along, dy), along.x * dy.y - along.y * dy.x);
     gabor_vec2 sides = gabor_vec2(gabor_cpp_dot(pixel.xz(), pixel.xz()), gabor_cpp_dot(pixel.yw(), pixel.yw()));
     float kept = 1.0e-6f;
-    for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
-        float power = ocean.band[i].amplitude * ocean.band[i].amplitude;
+    for (int j = 0; j < GABOR_OCEAN_BANDS + 2; ++j) {
+        float power = ocean.band[j].amplitude * ocean.band[j].amplitude;
         // Instead of exp(-3 (rest - 1)), because waves differ
-        float rest = 1.0f + gabor_cpp_dot(ocean.band[i].slopes, sides) / gabor_cpp_max(12.0f * power, 1.0e-9f);
+        float rest = 1.0f + gabor_cpp_dot(ocean.band[j].slopes, sides) / gabor_cpp_max(12.0f * power, 1.0e-9f);
         kept += power / (rest * rest * rest);
     }
     kept /= ocean.high.x * ocean.high.x;

@@ -601,10 +601,10 @@ fn gabor_foam(p: vec2f, dx: vec2f, dy: vec2f, water: GaborWater, ocean_in: Gabor
     var pixel = vec4f(dot(along, dx), along.x * dx.y - along.y * dx.x, dot(along, dy), along.x * dy.y - along.y * dy.x);
     let sides = vec2f(dot(pixel.xz, pixel.xz), dot(pixel.yw, pixel.yw));
     var kept = 1.0e-6;
-    for (var i = 0; i < GABOR_OCEAN_BANDS + 2; i++) {
-        let power = ocean.band[i].amplitude * ocean.band[i].amplitude;
+    for (var j = 0; j < GABOR_OCEAN_BANDS + 2; j++) {
+        let power = ocean.band[j].amplitude * ocean.band[j].amplitude;
         // Instead of exp(-3 (rest - 1)), because waves differ
-        let rest = 1.0 + dot(ocean.band[i].slopes, sides) / max(12.0 * power, 1.0e-9);
+        let rest = 1.0 + dot(ocean.band[j].slopes, sides) / max(12.0 * power, 1.0e-9);
         kept += power / (rest * rest * rest);
     }
     kept /= ocean.high.x * ocean.high.x;

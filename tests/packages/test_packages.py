@@ -34,8 +34,8 @@ MXVALIDATE = ROOT / "build" / "venv" / "bin" / "mxvalidate"
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
 
 
-def run(*command, **options):
-    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=500, **options)
+def run(*command, timeout=500, **options):
+    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=timeout, **options)
     if result.returncode != 0:
         raise AssertionError(f"{command} failed:\n{result.stdout}\n{result.stderr}")
     return result.stdout
@@ -78,14 +78,14 @@ class Folder(unittest.TestCase):
 
 
 class Package(Folder):
-    tools, name = (), None
+    tools, name, timeout = (), None, 500
 
     def setUp(self):
         super().setUp()
         if missing := [tool for tool in (*self.tools, "git") if not shutil.which(tool)]:
             self.skipTest(f"not installed: {', '.join(missing)}")
         name = self.name or type(self).__name__.lower()
-        self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
+        self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name, timeout=self.timeout).splitlines()]
 
     def assert_npm_accepts_it(self):
         """Runs npm's checks before publishing. They mend a bad package.json of an unpacked package, and say so."""
@@ -245,7 +245,7 @@ np.save("calls.npy", [each for call in CALLS for each in channels(eval(call))])
         place.evolution = space.evolution = 0.3f;
         const GaborField field = gabor_field(place, wave, seed), filtered = gabor_field_filtered(place, dx, dy, wave, seed);
         const gabor_vec3 along = gabor_stripes_of(gabor_field(place, gabor_vec2(1.5f, -0.7f), seed), 3.0f),
-                         spatial = -2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));
+                         spatial = 2.5f * gabor_impl_unit(gabor_vec3(1.0f, 2.0f, -3.0f));
         const GaborFractal octaves{3.4f, 0.6f, 1.9f, 0.4f, GABOR_PERLIN, GABOR_FBM},
                            billows{3.4f, 0.6f, 1.9f, 0.4f, GABOR_PERLIN, GABOR_BILLOW};
         const GaborFractalNoise fractal = gabor_fractal_noise(place, octaves, seed), billow = gabor_fractal_noise(place, billows, seed),
@@ -327,6 +327,8 @@ class Module(Folder):
 
 class Pypi(Package, Python):
     """Uses the wheel, which real nanobind binds, in a new virtual environment. tools/test-engines python runs this test."""
+
+    timeout = 3600  # the wheel's code is compiled for several processors
 
     def test_wheel_has_the_shaders_values(self):
         run(sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", self.folder / "venv")

@@ -183,6 +183,16 @@ class Shaders(unittest.TestCase):
         self.assertIn("vec2 gradient;", members("shaders/gabor_noise.glsl"))
         self.none(r" (?:[xyzw]{1,4}|[rgba]{1,4}|[stpq]{1,4})(?:\[.*\])?[;,]", self.drop_ins + self.pasted, members)
 
+    def test_no_function_declares_two_loop_variables_of_one_name(self):
+        """In HLSL, a loop's variable lives on after the loop: DXC and FXC warn."""
+        def second(path):
+            """Returns the text with "again" for each further loop variable of its name in a function."""
+            def renamed(match):
+                seen = set()
+                return re.sub(r"\bfor \(\w+ (\w+)", lambda loop: "again" if loop[1] in seen else seen.add(loop[1]) or loop[0], match[0])
+            return re.sub(r"^\w[^;{}]*\{$[\s\S]*?^\}", renamed, self.code(path), flags=re.MULTILINE)
+        self.none(r"^.*\bagain\b", self.drop_ins + self.pasted, second)
+
     def test_private_structs_say_so(self):
         def private(path):
             before, _, after = text(path).partition("// Private implementation\n")

@@ -12,6 +12,7 @@
 #include <GL/glext.h>
 #include <d3d11.h>
 #include <d3dcompiler.h>
+#include <wrl/client.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -27,9 +28,13 @@ unsigned eglInitialize(void* display, int* major, int* minor);
 unsigned eglChooseConfig(void* display, const int* attributes, void** configs, int size, int* count);
 void* eglCreateContext(void* display, void* config, void* share, const int* attributes);
 unsigned eglMakeCurrent(void* display, void* draw, void* read, void* context);
+unsigned eglTerminate(void* display);
 }
 
 namespace {
+
+// A device that nobody has released has threads, and Wine crashed now and then when the program ended.
+using Microsoft::WRL::ComPtr;
 
 constexpr UINT width = 256, height = 257, size = width * height;
 
@@ -47,9 +52,9 @@ std::string read(const char* path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-ID3DBlob* compiled(const char* path, const char* profile, UINT flags, std::ostream& messages) {
+ComPtr<ID3DBlob> compiled(const char* path, const char* profile, UINT flags, std::ostream& messages) {
     const std::string text = read(path);
-    ID3DBlob *code = nullptr, *said = nullptr;
+    ComPtr<ID3DBlob> code, said;
     const HRESULT result =
         D3DCompile(text.data(), text.size(), path, nullptr, nullptr, "main", profile, flags, 0, &code, &said);
     if (FAILED(result))
@@ -74,29 +79,29 @@ int compile() {
 }
 
 std::vector<float> fxc(const char* path) {
-    ID3D11Device* device;
-    ID3D11DeviceContext* context;
+    ComPtr<ID3D11Device> device;
+    ComPtr<ID3D11DeviceContext> context;
     checked(SUCCEEDED(D3D11CreateDevice(nullptr, D3D_DRIVER_TYPE_HARDWARE, nullptr, 0, nullptr, 0,
                                         D3D11_SDK_VERSION, &device, nullptr, &context)),
             "D3D11CreateDevice");
-    ID3DBlob* code = checked(compiled(path, "cs_5_0", 0, std::cerr), path);
+    const ComPtr<ID3DBlob> code = checked(compiled(path, "cs_5_0", 0, std::cerr), path);
     D3D11_BUFFER_DESC description = {
         4 * size, D3D11_USAGE_DEFAULT, D3D11_BIND_UNORDERED_ACCESS, 0, D3D11_RESOURCE_MISC_BUFFER_STRUCTURED,
         4};
-    ID3D11Buffer *values, *staging;
+    ComPtr<ID3D11Buffer> values, staging;
     device->CreateBuffer(&description, nullptr, &values);
     description = {4 * size, D3D11_USAGE_STAGING, 0, D3D11_CPU_ACCESS_READ, 0, 0};
     device->CreateBuffer(&description, nullptr, &staging);
-    ID3D11UnorderedAccessView* view;
-    device->CreateUnorderedAccessView(values, nullptr, &view);
-    ID3D11ComputeShader* shader;
+    ComPtr<ID3D11UnorderedAccessView> view;
+    device->CreateUnorderedAccessView(values.Get(), nullptr, &view);
+    ComPtr<ID3D11ComputeShader> shader;
     device->CreateComputeShader(code->GetBufferPointer(), code->GetBufferSize(), nullptr, &shader);
-    context->CSSetShader(shader, nullptr, 0);
-    context->CSSetUnorderedAccessViews(0, 1, &view, nullptr);
+    context->CSSetShader(shader.Get(), nullptr, 0);
+    context->CSSetUnorderedAccessViews(0, 1, view.GetAddressOf(), nullptr);
     context->Dispatch(width / 8, height, 1);
-    context->CopyResource(staging, values);
+    context->CopyResource(staging.Get(), values.Get());
     D3D11_MAPPED_SUBRESOURCE mapped;
-    checked(SUCCEEDED(context->Map(staging, 0, D3D11_MAP_READ, 0, &mapped)), "Map");
+    checked(SUCCEEDED(context->Map(staging.Get(), 0, D3D11_MAP_READ, 0, &mapped)), "Map");
     std::cout << D3DCOMPILER_DLL_A << '\n';
     const auto* floats = static_cast<const float*>(mapped.pData);
     return {floats, floats + size};
@@ -142,6 +147,8 @@ std::vector<float> angle(const char* path) {
     for (UINT i = 0; i < size; ++i)
         values[i] = pixels[4 * i];
     std::cout << glGetString(GL_VERSION) << '\n' << glGetString(GL_RENDERER) << '\n';
+    eglMakeCurrent(display, nullptr, nullptr, nullptr);
+    eglTerminate(display);
     return values;
 }
 
