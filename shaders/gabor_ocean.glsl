@@ -297,14 +297,14 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
     band.last = vec2(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
 // `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
 // cos^2 d.
-GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int near, float direction, vec2 beside,
+GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int halvings, float direction, vec2 beside,
                                GaborImplJonswap sea, bool remote, bool stands, out float along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    GaborOceanBand band = GaborOceanBand(0.0, exponent - near, low, 0.0, vec2(0.0), vec2(0.0), vec2(0.0), 0.0, 0.0,
+    GaborOceanBand band = GaborOceanBand(0.0, exponent - halvings, low, 0.0, vec2(0.0), vec2(0.0), vec2(0.0), 0.0, 0.0,
                                          vec4(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec2(0.0), ivec2(0));
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * vec2(along, 1.0 - along);
@@ -319,8 +319,8 @@ GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int near, f
     float mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     vec2 waves = gabor_impl_dispersion(mean, sea.depth);
     float speed = 3.1415927 * mean / waves.x * (1.0 + waves.y), spacing = exp2(float(exponent)); // pi
-    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
-    float nearer = exp2(float(near));
+    // Nodes that are nearer by 2^halvings move slower, so that as many pass in a second.
+    float nearer = exp2(float(halvings));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
     float carry = 2097152.0 * 0.15915494 / 861.0 * speed / nearer;
@@ -378,18 +378,18 @@ GaborOcean gabor_ocean_of(GaborSea state) {
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0 * (high / low - 1.0);
-        int near = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
+        int halvings = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         vec2 beside = vec2(i == 1 || i == 3 ? 0.65 : i == 2 ? 1.19 : 0.7, i == 1 ? 0.84 : i == 2 ? 1.54 : 1.41);
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0 * floor((longer ? 0.0114 : 0.0161) * swell.peak / GABOR_IMPL_TICK + 0.5);
             reach = longer ? 424.0 : 1024.0;
             exponent = int(floor(log2((longer ? 9.0 : 4.5) * period * period)));
-            near = 0;
+            halvings = 0;
             beside = longer ? vec2(1.0, 1.2) : vec2(0.8, 1.0);
         }
         GaborImplJonswap waves = sea;
         if (remote) waves = swell;
-        GaborOceanBand band = gabor_impl_band(low, reach, exponent, near, remote ? ocean.swell.z : ocean.direction,
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, halvings, remote ? ocean.swell.z : ocean.direction,
                                               beside, waves, remote, stands, along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;

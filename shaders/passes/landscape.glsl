@@ -38,6 +38,11 @@ Site site_at(Ground ground, GaborTerrain here, vec2 p, vec2 dx, vec2 dy) {
     return Site(here, length(here.slope), p, dx, dy, length(rise), fine, noise_on(ground, p, dx, dy, 0.7, gabor_fractal(3.0, 0.6), 3).noise);
 }
 
+// 1 below the edges, 0 above them. GLSL leaves smoothstep undefined where its edges fall.
+float falling(float low, float high, float x) {
+    return 1.0 - smoothstep(low, high, x);
+}
+
 // Layers that a height crosses, `turns` of them in a unit: -1 to 1, 0 where a pixel crosses many.
 float layers(float height, float turns, float span) {
     float kept = exp(-4.9348022 * span * span * turns * turns); // pi^2 / 2
@@ -61,15 +66,15 @@ vec3 alpine_colour(Ground ground, Site site) {
     rock *= 1.0 + 0.16 * stripes;
     rock = mix(rock, vec3(0.17, 0.135, 0.1), 0.5 * smoothstep(0.5, 1.8, n - broad)); // stains
     vec3 scree = mix(vec3(0.19, 0.175, 0.15), vec3(0.29, 0.265, 0.23), smoothstep(-1.5, 1.5, n));
-    float green = smoothstep(0.3, -0.15, height - 0.12 * here.ridge);
+    float green = falling(-0.15, 0.3, height - 0.12 * here.ridge);
     vec3 grass = mix(vec3(0.07, 0.085, 0.028), vec3(0.16, 0.135, 0.06), smoothstep(-1.8, 1.6, broad + 0.8 * n + 2.5 * here.height));
     vec3 colour = mix(scree, grass, green);
     colour = mix(colour, rock, smoothstep(0.6, 0.95, site.steep * (1.0 + 0.18 * n) + 0.12 * here.ridge));
-    vec4 wood = trees(ground, site, smoothstep(0.2, -0.25, height - 0.06 * here.ridge) * smoothstep(1.7, 1.0, site.steep + 0.15 * n));
+    vec4 wood = trees(ground, site, falling(-0.25, 0.2, height - 0.06 * here.ridge) * falling(1.0, 1.7, site.steep + 0.15 * n));
     colour = mix(colour, wood.xyz, wood.w);
     // Snow lies where it is high and not too steep, longest in creases and away from the sun.
     float shade = dot(here.slope, ground.sun), lies = here.height - 0.1 * here.ridge + 0.1 * shade + 0.05 * n + 0.05 * broad;
-    float snow = smoothstep(0.3, 0.44, lies) * smoothstep(1.35, 0.85, site.steep * (1.0 + 0.15 * n) - 0.5 * smoothstep(0.4, 0.9, lies));
+    float snow = smoothstep(0.3, 0.44, lies) * falling(0.85, 1.35, site.steep * (1.0 + 0.15 * n) - 0.5 * smoothstep(0.4, 0.9, lies));
     return mix(colour, vec3(0.8, 0.83, 0.87), snow);
 }
 
@@ -84,7 +89,7 @@ vec3 field_colour(Ground ground, Site site) {
     float side = across ? inside.x : inside.y;
     if (side > cut) word = gabor_derived_seed(word, 1);
     float edge = min(min(min(inside.x, 1.0 - inside.x), min(inside.y, 1.0 - inside.y)), abs(side - cut));
-    float pixel = 3.2 * max(length(site.dx), length(site.dy)), hedge = smoothstep(0.025 + 0.6 * pixel, 0.02 - 0.4 * pixel, edge);
+    float pixel = 3.2 * max(length(site.dx), length(site.dy)), hedge = falling(0.02 - 0.4 * pixel, 0.025 + 0.6 * pixel, edge);
     float kind = float((word >> 9u) & 1023u) / 1023.0, kept = 1.0 / (1.0 + 4.0 * pixel * pixel);
     vec3 colour = mix(vec3(0.06, 0.105, 0.025), vec3(0.12, 0.16, 0.04), kind);
     if (kind > 0.72) colour = vec3(0.28, 0.23, 0.085); // corn
@@ -97,9 +102,9 @@ vec3 meadow_colour(Ground ground, Site site) {
     GaborTerrain here = site.here;
     float n = site.fine.noise;
     vec3 grass = mix(vec3(0.06, 0.095, 0.024), vec3(0.16, 0.15, 0.055), smoothstep(-1.2, 1.8, site.broad + 0.5 * n + 2.2 * here.height));
-    float low = smoothstep(0.12, -0.08, here.height + 0.06 * site.broad) * smoothstep(0.5, 0.3, site.steep + 0.04 * n);
+    float low = falling(-0.08, 0.12, here.height + 0.06 * site.broad) * falling(0.3, 0.5, site.steep + 0.04 * n);
     vec3 colour = mix(grass, field_colour(ground, site), low);
-    vec4 wood = trees(ground, site, 0.75 * smoothstep(0.3, 0.6, site.steep + 0.1 * site.broad) * smoothstep(0.35, 0.1, here.height + 0.1 * here.ridge + 0.1 * n));
+    vec4 wood = trees(ground, site, 0.75 * smoothstep(0.3, 0.6, site.steep + 0.1 * site.broad) * falling(0.1, 0.35, here.height + 0.1 * here.ridge + 0.1 * n));
     colour = mix(colour, wood.xyz, wood.w);
     return mix(colour, vec3(0.2, 0.18, 0.15), smoothstep(0.95, 1.5, site.steep * (1.0 + 0.2 * n))) * (1.0 + 0.08 * n);
 }
@@ -112,7 +117,7 @@ vec3 desert_colour(Site site) {
     rock *= 1.0 + 0.1 * layers(bed, 37.0, site.span) + 0.07 * n;
     rock = mix(rock, vec3(0.12, 0.055, 0.035), 0.55 * smoothstep(0.6, 2.0, n + 0.6 * broad)); // varnish
     vec3 sand = mix(vec3(0.32, 0.16, 0.085), vec3(0.42, 0.26, 0.15), smoothstep(-1.6, 1.6, n + broad));
-    float shrub = smoothstep(0.9, 1.5, site.fine.noise + 0.4 * broad) * smoothstep(0.35, 0.15, site.steep);
+    float shrub = smoothstep(0.9, 1.5, site.fine.noise + 0.4 * broad) * falling(0.15, 0.35, site.steep);
     return mix(mix(sand, vec3(0.085, 0.085, 0.045), 0.6 * shrub), rock, smoothstep(0.4, 0.75, site.steep + 0.09 * n));
 }
 

@@ -21,7 +21,7 @@ Sea sea_of(GaborOcean ocean, uint seed, int second, float fraction, vec2 sun) {
 
 // The irradiance of the sun on a surface that faces it, over pi. None passes an overcast sky.
 vec3 sunlight_at_sea(Sea sea) {
-    return vec3(3.0, 3.2, 3.7) * smoothstep(1.0, 0.75, sea.weather) * exp(-vec3(0.12, 0.2, 0.37) / (sea.sun.y + 0.06));
+    return vec3(3.0, 3.2, 3.7) * (1.0 - smoothstep(0.75, 1.0, sea.weather)) * exp(-vec3(0.12, 0.2, 0.37) / (sea.sun.y + 0.06));
 }
 
 // A clear sky: air and haze scatter sunlight, which has lost blue on its way, and air scatters it again. `wide` blurs

@@ -303,14 +303,14 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
     band.last = gabor_vec2(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
 // `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
 // cos^2 d.
-GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int near, float direction, gabor_vec2 beside,
+GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int halvings, float direction, gabor_vec2 beside,
                                GaborImplJonswap sea, bool remote, bool stands, float& along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    GaborOceanBand band = GaborOceanBand{0.0f, exponent - near, low, 0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, 0.0f,
+    GaborOceanBand band = GaborOceanBand{0.0f, exponent - halvings, low, 0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, 0.0f,
                                          gabor_vec4(0.0f), gabor_vec4(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_ivec2(0)};
     along = gabor_impl_set_directions(band, reach, power);
     band.slopes = power.sum * power.steep * gabor_vec2(along, 1.0f - along);
@@ -325,8 +325,8 @@ GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent
     float mean = GABOR_IMPL_TICK * low * (1.0f + (power.fit.x + 0.5f * reach) / 1024.0f);
     gabor_vec2 waves = gabor_impl_dispersion(mean, sea.depth);
     float speed = 3.1415927f * mean / waves.x * (1.0f + waves.y), spacing = gabor_cpp_exp2(float(exponent)); // pi
-    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
-    float nearer = gabor_cpp_exp2(float(near));
+    // Nodes that are nearer by 2^halvings move slower, so that as many pass in a second.
+    float nearer = gabor_cpp_exp2(float(halvings));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
     float carry = 2097152.0f * 0.15915494f / 861.0f * speed / nearer;
@@ -384,18 +384,18 @@ GABOR_INLINE GaborOcean gabor_ocean_of(GaborSea state) {
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0f * (high / low - 1.0f);
-        int near = gabor_cpp_clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
+        int halvings = gabor_cpp_clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         gabor_vec2 beside = gabor_vec2(i == 1 || i == 3 ? 0.65f : i == 2 ? 1.19f : 0.7f, i == 1 ? 0.84f : i == 2 ? 1.54f : 1.41f);
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0f * gabor_cpp_floor((longer ? 0.0114f : 0.0161f) * swell.peak / GABOR_IMPL_TICK + 0.5f);
             reach = longer ? 424.0f : 1024.0f;
             exponent = int(gabor_cpp_floor(gabor_cpp_log2((longer ? 9.0f : 4.5f) * period * period)));
-            near = 0;
+            halvings = 0;
             beside = longer ? gabor_vec2(1.0f, 1.2f) : gabor_vec2(0.8f, 1.0f);
         }
         GaborImplJonswap waves = sea;
         if (remote) waves = swell;
-        GaborOceanBand band = gabor_impl_band(low, reach, exponent, near, remote ? ocean.swell.z : ocean.direction,
+        GaborOceanBand band = gabor_impl_band(low, reach, exponent, halvings, remote ? ocean.swell.z : ocean.direction,
                                               beside, waves, remote, stands, along);
         if (low > 262144.0f) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0f;

@@ -293,14 +293,14 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
     (*band).last = vec2f(second.y, late.z - late.y);
 }
 
-// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - near) metres apart.
+// A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
 // `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
 // cos^2 d.
-fn gabor_impl_band(low: f32, reach: f32, exponent: i32, near: i32, direction: f32, beside: vec2f,
+fn gabor_impl_band(low: f32, reach: f32, exponent: i32, halvings: i32, direction: f32, beside: vec2f,
                    sea: GaborImplJonswap, remote: bool, stands: bool, along: ptr<function, f32>) -> GaborOceanBand {
     let power = gabor_impl_band_power(low, reach, sea, remote);
     // Each member has a value, which FXC demands of an inout argument.
-    var band = GaborOceanBand(0.0, exponent - near, low, 0.0, vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0, 0.0,
+    var band = GaborOceanBand(0.0, exponent - halvings, low, 0.0, vec2f(0.0), vec2f(0.0), vec2f(0.0), 0.0, 0.0,
                               vec4f(0.0), vec4f(0.0), vec2f(0.0), vec2f(0.0), vec2f(0.0), vec2i(0));
     *along = gabor_impl_set_directions(&band, reach, power);
     band.slopes = power.sum * power.steep * vec2f((*along), 1.0 - (*along));
@@ -315,8 +315,8 @@ fn gabor_impl_band(low: f32, reach: f32, exponent: i32, near: i32, direction: f3
     let mean = GABOR_IMPL_TICK * low * (1.0 + (power.fit.x + 0.5 * reach) / 1024.0);
     let waves = gabor_impl_dispersion(mean, sea.depth);
     let speed = 3.1415927 * mean / waves.x * (1.0 + waves.y); let spacing = exp2(f32(exponent)); // pi
-    // Nodes that are nearer by 2^near move slower, so that as many pass in a second.
-    let nearer = exp2(f32(near));
+    // Nodes that are nearer by 2^halvings move slower, so that as many pass in a second.
+    let nearer = exp2(f32(halvings));
     band.orbit = waves.x / (deep * mean * mean);
     // 2097152.0 is 2^21, and 0.15915494 is 1/(2 pi)
     let carry = 2097152.0 * 0.15915494 / 861.0 * speed / nearer;
@@ -375,18 +375,18 @@ fn gabor_ocean_of(state: GaborSea) -> GaborOcean {
         var low = gabor_impl_quarter_octave(q);
         let high = gabor_impl_quarter_octave(q + select(2, 1, i == 1 || i == 2));
         var reach = 1024.0 * (high / low - 1.0);
-        var near = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
+        var halvings = clamp(i - 4, 0, 2); // short waves go in all directions, so that their crests are short
         var beside = vec2f(select(select(0.7, 1.19, i == 2), 0.65, i == 1 || i == 3), select(select(1.41, 1.54, i == 2), 0.84, i == 1));
         if (remote) { // from 0.73 to 1.03 and on to 2.06 times the peak
             low = 64.0 * floor(select(0.0161, 0.0114, longer) * swell.peak / GABOR_IMPL_TICK + 0.5);
             reach = select(1024.0, 424.0, longer);
             exponent = i32(floor(log2(select(4.5, 9.0, longer) * period * period)));
-            near = 0;
+            halvings = 0;
             beside = select(vec2f(0.8, 1.0), vec2f(1.0, 1.2), longer);
         }
         var waves = sea;
         if (remote) { waves = swell; }
-        var band = gabor_impl_band(low, reach, exponent, near, select(ocean.direction, ocean.swell.z, remote),
+        var band = gabor_impl_band(low, reach, exponent, halvings, select(ocean.direction, ocean.swell.z, remote),
                                    beside, waves, remote, stands, &along);
         if (low > 262144.0) { // below 0.1 m, waves are capillary
             band.amplitude = 0.0;

@@ -193,6 +193,13 @@ class Shaders(unittest.TestCase):
             return re.sub(r"^\w[^;{}]*\{$[\s\S]*?^\}", renamed, self.code(path), flags=re.MULTILINE)
         self.none(r"^.*\bagain\b", self.drop_ins + self.pasted, second)
 
+    def test_edges_of_steps_rise(self):
+        """GLSL leaves smoothstep undefined where its first edge is not below the second."""
+        def steps(path):
+            """Returns the text with "falls" for each step between two numbers that do not rise."""
+            return re.sub(r"\bsmoothstep\((-?[\d.]+), (-?[\d.]+),", lambda step: step[0] if float(step[1]) < float(step[2]) else "falls", self.code(path))
+        self.none(r"\bfalls\b", self.drop_ins + self.pasted + ["shaders/passes/landscape.glsl", "shaders/passes/seascape.glsl"], steps)
+
     def test_private_structs_say_so(self):
         def private(path):
             before, _, after = text(path).partition("// Private implementation\n")
