@@ -1192,7 +1192,7 @@ GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pixel, GaborScra
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is
-// where both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
+// the overlap of two long ovals, which tapers at its ends: there, both noises of a pair exceed sharp thresholds.
 void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = exp2(-0.13 * float(i));
     float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount

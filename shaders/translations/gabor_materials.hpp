@@ -1204,7 +1204,7 @@ GABOR_INLINE GaborImplLayer gabor_impl_scratches_layer(int i, GaborImplPixel pix
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is
-// where both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
+// the overlap of two long ovals, which tapers at its ends: there, both noises of a pair exceed sharp thresholds.
 GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborImplPair noise) {
     float size = gabor_cpp_exp2(-0.13f * float(i));
     float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount

@@ -1203,7 +1203,7 @@ fn gabor_impl_scratches_layer(i: i32, pixel: GaborImplPixel, scratches: GaborScr
 }
 
 // Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer. A scratch is
-// where both noises of a pair are above sharp thresholds: two long ovals, whose intersection tapers.
+// the overlap of two long ovals, which tapers at its ends: there, both noises of a pair exceed sharp thresholds.
 fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborImplPair) {
     let size = exp2(-0.13 * f32(i));
     let threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount

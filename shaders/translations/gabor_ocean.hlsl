@@ -328,8 +328,7 @@ void gabor_impl_set_frequencies(inout GaborOceanBand band, float reach, float bl
 }
 
 // A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
-// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
-// cos^2 d.
+// `beside` is the blur of the bands below and above it, relative to this band's. `along` becomes the mean of cos^2 d.
 GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int halvings, float direction, float2 beside,
                                GaborImplJonswap sea, bool remote, bool stands, out float along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
@@ -357,8 +356,8 @@ GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int halving
     band.carry = floor(carry * float2(1024.0 * base, rate * GABOR_IMPL_TICK * low) + 0.5) / 1024.0;
     float2 drift = (stands ? 0.0 : 32768.0 * speed / spacing) * gabor_impl_wave(0.15915494 * direction);
     band.drift = (int2)(floor(drift + 0.5));
-    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
-    // what nearer nodes add, waves are both longer and lower.
+    // The share of slopes that windows add. Longer waves make up for half of it, as set_frequencies has sharpened the
+    // spectrum; for what nearer nodes add, waves are both longer and lower.
     float added = 5.482 / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
     float more = added * (nearer * nearer - 1.0);
     band.amplitude = sqrt(power.sum / (1.0 + 0.3 * more));
@@ -404,7 +403,7 @@ GaborOcean gabor_ocean_of(GaborSea state) {
     GaborOceanBand bands[GABOR_OCEAN_BANDS + 2];
     for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
         bool remote = i >= GABOR_OCEAN_BANDS, longer = i == GABOR_OCEAN_BANDS;
-        // Half an octave of frequency each, but a quarter around the peak.
+        // Bands are half an octave wide, and a quarter around the peak.
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0 * (high / low - 1.0);
@@ -662,7 +661,7 @@ float gabor_foam(float2 p, float2 dx, float2 dy, GaborWater water, GaborOcean oc
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     float2 place = clamp(0.6 / ocean.high.x, 0.3, 6.0) * float2(dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= clamp(0.6 / ocean.high.x, 0.3, 6.0);
-    // Each noise has a weight, and takes its variance from that of the fit.
+    // 1.763 is the variance of all five in the fit. Each noise that the pixel shows takes its share from it.
     float value = energy - least, removed = 1.763;
     for (int i = 0; i < 5; ++i) { // a single call, because compilers copy what it calls to each place
         float2 density = i == 0 ? float2(0.06, 0.25) : i == 1 ? float2(0.4, 1.1) : i == 2 ? float2(0.8, 1.6)

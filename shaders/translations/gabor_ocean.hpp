@@ -304,8 +304,7 @@ GABOR_INLINE void gabor_impl_set_frequencies(GaborOceanBand& band, float reach, 
 }
 
 // A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
-// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
-// cos^2 d.
+// `beside` is the blur of the bands below and above it, relative to this band's. `along` becomes the mean of cos^2 d.
 GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent, int halvings, float direction, gabor_vec2 beside,
                                GaborImplJonswap sea, bool remote, bool stands, float& along) {
     GaborImplBandPower power = gabor_impl_band_power(low, reach, sea, remote);
@@ -333,8 +332,8 @@ GABOR_INLINE GaborOceanBand gabor_impl_band(float low, float reach, int exponent
     band.carry = gabor_cpp_floor(carry * gabor_vec2(1024.0f * base, rate * GABOR_IMPL_TICK * low) + 0.5f) / 1024.0f;
     gabor_vec2 drift = (stands ? 0.0f : 32768.0f * speed / spacing) * gabor_impl_wave(0.15915494f * direction);
     band.drift = gabor_ivec2(gabor_cpp_floor(drift + 0.5f));
-    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
-    // what nearer nodes add, waves are both longer and lower.
+    // The share of slopes that windows add. Longer waves make up for half of it, as set_frequencies has sharpened the
+    // spectrum; for what nearer nodes add, waves are both longer and lower.
     float added = 5.482f / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
     float more = added * (nearer * nearer - 1.0f);
     band.amplitude = gabor_cpp_sqrt(power.sum / (1.0f + 0.3f * more));
@@ -380,7 +379,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(GaborSea state) {
     GaborOceanBand bands[GABOR_OCEAN_BANDS + 2];
     for (int i = 0; i < GABOR_OCEAN_BANDS + 2; ++i) {
         bool remote = i >= GABOR_OCEAN_BANDS, longer = i == GABOR_OCEAN_BANDS;
-        // Half an octave of frequency each, but a quarter around the peak.
+        // Bands are half an octave wide, and a quarter around the peak.
         int q = first + 2 * i - (i < 2 ? 0 : i == 2 ? 1 : 2), exponent = 34 - ((q - (first & 1)) >> 1);
         float low = gabor_impl_quarter_octave(q), high = gabor_impl_quarter_octave(q + (i == 1 || i == 2 ? 1 : 2));
         float reach = 1024.0f * (high / low - 1.0f);
@@ -627,7 +626,7 @@ GABOR_INLINE float gabor_foam(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborW
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     gabor_vec2 place = gabor_cpp_clamp(0.6f / ocean.high.x, 0.3f, 6.0f) * gabor_vec2(gabor_cpp_dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= gabor_cpp_clamp(0.6f / ocean.high.x, 0.3f, 6.0f);
-    // Each noise has a weight, and takes its variance from that of the fit.
+    // 1.763 is the variance of all five in the fit. Each noise that the pixel shows takes its share from it.
     float value = energy - least, removed = 1.763f;
     for (int i = 0; i < 5; ++i) { // a single call, because compilers copy what it calls to each place
         gabor_vec2 density = i == 0 ? gabor_vec2(0.06f, 0.25f) : i == 1 ? gabor_vec2(0.4f, 1.1f) : i == 2 ? gabor_vec2(0.8f, 1.6f)

@@ -294,8 +294,7 @@ fn gabor_impl_set_frequencies(band: ptr<function, GaborOceanBand>, reach: f32, b
 }
 
 // A band of frequencies from `low` to 1 + reach / 1024 times that, with nodes 2^(exponent - halvings) metres apart.
-// `beside` has by how much less the band before it is blurred, and more the one behind it. `along` becomes the mean of
-// cos^2 d.
+// `beside` is the blur of the bands below and above it, relative to this band's. `along` becomes the mean of cos^2 d.
 fn gabor_impl_band(low: f32, reach: f32, exponent: i32, halvings: i32, direction: f32, beside: vec2f,
                    sea: GaborImplJonswap, remote: bool, stands: bool, along: ptr<function, f32>) -> GaborOceanBand {
     let power = gabor_impl_band_power(low, reach, sea, remote);
@@ -323,8 +322,8 @@ fn gabor_impl_band(low: f32, reach: f32, exponent: i32, halvings: i32, direction
     band.carry = floor(carry * vec2f(1024.0 * base, rate * GABOR_IMPL_TICK * low) + 0.5) / 1024.0;
     let drift = select(32768.0 * speed / spacing, 0.0, stands) * gabor_impl_wave(0.15915494 * direction);
     band.drift = vec2i(floor(drift + 0.5));
-    // The windows add slopes, by this share. Half of it is missing where set_frequencies makes spectra sharper; for
-    // what nearer nodes add, waves are both longer and lower.
+    // The share of slopes that windows add. Longer waves make up for half of it, as set_frequencies has sharpened the
+    // spectrum; for what nearer nodes add, waves are both longer and lower.
     let added = 5.482 / (spacing * spacing * power.steep); // 64/45 (5/8 pi)^2: 64/45 is the integral of (1 - x^4)^2
     let more = added * (nearer * nearer - 1.0);
     band.amplitude = sqrt(power.sum / (1.0 + 0.3 * more));
@@ -370,7 +369,7 @@ fn gabor_ocean_of(state: GaborSea) -> GaborOcean {
     var bands: array<GaborOceanBand, GABOR_OCEAN_BANDS + 2>;
     for (var i = 0; i < GABOR_OCEAN_BANDS + 2; i++) {
         let remote = i >= GABOR_OCEAN_BANDS; let longer = i == GABOR_OCEAN_BANDS;
-        // Half an octave of frequency each, but a quarter around the peak.
+        // Bands are half an octave wide, and a quarter around the peak.
         let q = first + 2 * i - select(select(2, 1, i == 2), 0, i < 2); var exponent = 34 - ((q - (first & 1)) >> 1);
         var low = gabor_impl_quarter_octave(q);
         let high = gabor_impl_quarter_octave(q + select(2, 1, i == 1 || i == 2));
@@ -619,7 +618,7 @@ fn gabor_foam(p: vec2f, dx: vec2f, dy: vec2f, water: GaborWater, ocean_in: Gabor
     // Foam is torn along the wind, and a net of bubbles: the zeros of noises.
     let place = clamp(0.6 / ocean.high.x, 0.3, 6.0) * vec2f(dot(along, p), along.x * p.y - along.y * p.x);
     pixel *= clamp(0.6 / ocean.high.x, 0.3, 6.0);
-    // Each noise has a weight, and takes its variance from that of the fit.
+    // 1.763 is the variance of all five in the fit. Each noise that the pixel shows takes its share from it.
     var value = energy - least; var removed = 1.763;
     for (var i = 0; i < 5; i++) { // a single call, because compilers copy what it calls to each place
         let density = select(select(select(select(vec2f(10.0, 16.0), vec2f(2.6, 4.6), i == 3),

@@ -286,7 +286,7 @@ class Maps(RenderTest):
         self.succeed("maps", "--material=leather", "--size=8x32", "-o", "oblong", "--texture", *PLAIN)
         self.assertEqual([level["R"].shape for level in Texture(self.folder / "oblong" / "maps.exr").levels], [(32 >> k, max(8 >> k, 1)) for k in range(6)])
         side, block = 256, 16
-        self.succeed("maps", "--material=leather", f"--size={side}x{side}", "-o", "set", "--texture", *PLAIN)
+        self.succeed("maps", "--material=leather", "--leather.relief=1.67", f"--size={side}x{side}", "-o", "set", "--texture", *PLAIN)
         levels = Texture(self.folder / "set" / "maps.exr").levels
         fine, coarse = levels[0], levels[block.bit_length() - 1]
 
@@ -314,7 +314,7 @@ class Maps(RenderTest):
                 errors.append(np.sqrt(np.mean((highlight(coarse, roughness, light) - wanted)**2) / np.mean(wanted**2)))
         print(f"highlights are off by {np.mean(error):.2f} of their rms, and by {np.mean(careless):.2f} with the mean roughness")
         self.assertLess(np.mean(error), 0.35)
-        self.assertGreater(np.mean(careless), 2 * np.mean(error))
+        self.assertGreater(np.mean(careless), 3 * np.mean(error))
 
     def test_what_is_refused(self):
         for words, options in ((["maps require", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),

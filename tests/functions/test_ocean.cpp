@@ -254,8 +254,8 @@ TEST_CASE("heights and slopes of the sea are normal at any one place and time", 
     }
 }
 
-// Patches of 16 m: how far the share and the direction of their slopes' larger half scatter says how many
-// waves meet in them. Waves in few, long packets scatter more, and look like a weave from above.
+// Compares how much the direction and the strength of slopes' anisotropy vary between patches of 16 m. They
+// vary more where fewer waves meet in a patch; from above, such a sea looks woven.
 TEST_CASE("as many waves meet in a patch of water as in a sea of plane waves", "[ocean][law]") {
     constexpr int side = 16, patches = 300;
     for (const float wind : {12.0f, 20.0f}) {
@@ -310,7 +310,7 @@ TEST_CASE("as many waves meet in a patch of water as in a sea of plane waves", "
 
 // Bins have 20 degrees of direction and a tenth of an octave of wavelength. The windows blur each wave, here
 // as much as a normal distribution of their derivatives' variance. Short waves are up to 6 % longer and
-// 3 % lower than the spectrum's, to make up for slopes that their windows add.
+// 3 % lower than the spectrum's, which makes up for the slopes that their windows add.
 TEST_CASE("the waves of the sea's nodes have its spectrum by direction and wavelength", "[ocean][law]") {
     for (const GaborOcean& sea : seas) {
         std::map<std::array<int, 2>, std::array<double, 4>> bins; // height found and expected, slope likewise

@@ -38,7 +38,7 @@ class Workshop(EventsTest):
         self.open("--window", "1400x980", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the sixth below the noises, after five kinds of wood. Each picture has its name over its lower edge.
+        # Below the noises, bark is sixth, after five kinds of wood. A picture's name covers its lower edge.
         left, top = 14 + 5 * 136, 108
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", **json.loads((PRESETS / "bark.json").read_text()) | {"width": 128, "height": 128, "scale": 32})

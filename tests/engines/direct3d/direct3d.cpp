@@ -33,7 +33,8 @@ unsigned eglTerminate(void* display);
 
 namespace {
 
-// A device that nobody has released has threads, and Wine crashed now and then when the program ended.
+// Releases devices before the program ends: the threads of one that was still alive made Wine crash now and
+// then.
 using Microsoft::WRL::ComPtr;
 
 constexpr UINT width = 256, height = 257, size = width * height;
