@@ -10,10 +10,7 @@
 #define STBI_ONLY_TGA
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include <stb_image.h>
 
 namespace gabor::image {
 

@@ -200,8 +200,9 @@ class Periods(RenderTest):
     def test_a_tile_too_small_for_its_kernels(self):
         self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
-    @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
-    def test_a_terminal_shows_progress(self):
+    def shown_on_a_terminal(self, *arguments):
+        """Runs the program with stderr on a terminal. Returns what it shows there, and the seconds from the start to the end of
+        each line."""
         try:
             own, other = pty.openpty()
         except OSError as error:  # a system without /dev/pts, such as a bare chroot
@@ -209,25 +210,43 @@ class Periods(RenderTest):
         started = time.monotonic()
         with open(own, newline="", errors="replace") as terminal:
             with os.fdopen(other, "w") as end:
-                run = subprocess.Popen([PROGRAM, "render", "-o", "out.exr", "--view=ocean", "--size=400x1000"], cwd=self.folder, stderr=end)
+                run = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=end)
             shown, times = "", []
             with contextlib.suppress(OSError):  # at the end of the program
                 while text := terminal.read(1):
                     shown += text
                     if text == "\r":
                         times.append(time.monotonic() - started)
-        self.assertEqual(run.wait(), 0)
+        self.assertEqual(run.wait(), 0, shown)
         if time.monotonic() - started < 1:
             self.skipTest("the program ended before it shows progress, half a second after its start")
+        return shown, times
+
+    def assert_progress(self, label, shown):
+        """Checks that each line has a share of the work, at most 100 %, and returns the shares and the seconds left."""
         lines = re.findall(r"\r([^\r\x1b]+)", shown)
-        shares, left = zip(*(map(int, re.fullmatch(r"rendering (\d+) %, (\d+) s left", line).groups()) for line in lines))
-        self.assertGreater(len(shares), 1, shown)
+        shares, left = zip(*(map(int, re.fullmatch(rf"{label} (\d+) %, (\d+) s left", line).groups()) for line in lines))
         self.assertEqual(list(shares), sorted(shares))
         self.assertTrue(50 <= shares[-1] <= 100, shown)
+        return shares, left
+
+    @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
+    def test_a_terminal_shows_progress(self):
+        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--view=ocean", "--size=800x1600")
+        shares, left = self.assert_progress("rendering", shown)
+        self.assertGreater(len(shares), 1, shown)
         for at, share, rest in zip(times, shares, left):
             if share >= 3:  # at first too many, as the driver still compiles; too few only if the machine gets three times as slow
                 self.assertGreaterEqual(rest, (times[-1] - at) / 3 - 0.6, f"s left at {share} %")
         self.assertTrue(shown.endswith("\r\x1b[K"), shown)  # the line is cleared
+
+    @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
+    def test_other_commands_show_progress(self):
+        for label, *command in (("rendering", "maps", "--material=strata", "--size=1000", "-o", "set"),
+                                ("rendering", "texture", "--material=strata", "--tileable", "--size=1024", "-o", "texture.exr"),
+                                ("eroding", "erode", "set/height.png", "--extent=1000", "-o", "eroded.exr")):
+            with self.subTest(command[0]):
+                self.assert_progress(label, self.shown_on_a_terminal(*command)[0])
 
     def test_frames_loop(self):
         self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20", "--evolution=0.25")

@@ -1,20 +1,18 @@
 // Prints as JSON what the demo page copies for each tab and each option: [what, language, code]. Elements are stand-ins that do
 // nothing: tools/test-engines demo uses the page in browsers.
-//   copied.mjs DOCS/demo/index.html [EXPRESSION]    prints the value of this expression of the page, or of its promise, instead
+//   copied.mjs DOCS/demo [EXPRESSION]    prints the value of this expression of the page, or of its promise, instead
 
 import { readFileSync } from "node:fs";
 import vm from "node:vm";
 
-const html = readFileSync(process.argv[2], "utf8");
-const texts = Object.fromEntries([...html.matchAll(/<script type="text\/plain" id="(.*?)">\n([^]*?)<\/script>/g)].map(each => each.slice(1)));
+const script = ["texts.js", "page.js"].map(name => readFileSync(`${process.argv[2]}/${name}`, "utf8")).join("");
 const nothing = new Proxy(function () {}, {
     get: (_, name) => name === Symbol.iterator ? () => [].values() : name === Symbol.toPrimitive ? () => 0 : nothing,
     set: () => true, apply: () => nothing, construct: () => nothing,
 });
 const names = "addEventListener requestAnimationFrame setTimeout clearTimeout getComputedStyle history matchMedia ImageData Option ResizeObserver".split(" ");
 const scope = { ...Object.fromEntries(names.map(name => [name, nothing])), URLSearchParams, location: { hash: "" }, devicePixelRatio: 1, innerWidth: 900, innerHeight: 600,
-                document: { querySelector: () => nothing, querySelectorAll: () => nothing, createElement: () => nothing,
-                            getElementById: name => ({ textContent: texts[name] }) } };
+                document: { querySelector: () => nothing, querySelectorAll: () => nothing, createElement: () => nothing } };
 const copies = `;(() => {
     const copies = [];
     const copy = what => languages().forEach(each => { state.language = each; copies.push([what, each, copied()]); });
@@ -37,4 +35,4 @@ const copies = `;(() => {
     }
     return JSON.stringify(copies);
 })()`;
-console.log(await vm.runInNewContext(html.match(/<script>\n([^]*?)<\/script>/)[1] + (process.argv[3] ?? copies), scope));
+console.log(await vm.runInNewContext(script + (process.argv[3] ?? copies), scope));

@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "tools"))
 import copies  # noqa: E402
 PAGES = [ROOT / name for name in subprocess.run(["git", "-C", str(ROOT), "ls-files", "*.md"], capture_output=True, text=True,
                                                 check=True).stdout.splitlines()]
-DEMO = ROOT / "docs" / "demo" / "index.html"
+DEMO = ROOT / "docs" / "demo"
 README = (ROOT / "README.md").read_text()
 
 
@@ -290,18 +290,22 @@ class Scripts(unittest.TestCase):
         self.assert_runs("node", "--check", self.folder / name)
 
     def test_scripts_name_what_their_pages_have(self):
-        for page in (DEMO, ROOT / "docs" / "benchmark.html"):
-            text = page.read_text()
-            script = re.search(r"(?s)<script>\n(.*?)</script>", text)[1]
+        benchmark = (ROOT / "docs" / "benchmark.html").read_text()
+        script = re.search(r"(?s)<script>\n(.*?)</script>", benchmark)[1]
+        for page, script in ((benchmark.replace(script, ""), script), ((DEMO / "index.html").read_text(), (DEMO / "page.js").read_text())):
             self.assert_parses("page.js", script)
-            ids = re.findall(r' id="([\w.]+)"', text.replace(script, ""))
+            ids = re.findall(r' id="([\w.]+)"', page)
             self.assertEqual(len(ids), len(set(ids)))
-            named = set(re.findall(r'(?:\$\("#|getElementById\("|embedded\("|\btext\(")([\w.]+)"', script))
+            named = set(re.findall(r'(?:\$\("#|getElementById\("|\btext\(")([\w.]+)"', script))
             self.assertGreater(len(named), 5)
             self.assertEqual(named - set(ids), set())
-        needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', DEMO.read_text())))
-        self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl", "hlsl")} - set(re.findall(r' id="([\w.]+)"', DEMO.read_text())), set())
-        json.loads(re.search(r'(?s) id="presets.json">\n(.*?)</script>', DEMO.read_text())[1])
+        texts = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, ";JSON.stringify(TEXTS)"))
+        needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', (DEMO / "page.js").read_text())))
+        self.assertGreater(len(needed), 5)
+        self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl", "hlsl")} - set(texts), set())
+        named = re.findall(r'TEXTS\["(.*?)"\]', (DEMO / "page.js").read_text())
+        self.assertGreater(len(named), 1)
+        self.assertEqual(set(named) - set(texts), set())
 
     def test_a_dragged_lobe_has_the_frequency_and_the_angle_of_its_place(self):
         places = [(3, 1), (-2, 2), (0.5, 4), (-5, 0.25)]
