@@ -232,7 +232,7 @@ class Periods(RenderTest):
 
     @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_a_terminal_shows_progress(self):
-        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--view=ocean", "--size=800x1600")
+        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--material=strata", "--size=2000")
         shares, left = self.assert_progress("rendering", shown)
         self.assertGreater(len(shares), 1, shown)
         for at, share, rest in zip(times, shares, left):
