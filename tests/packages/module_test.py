@@ -24,7 +24,7 @@ WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
 COMMON = dict(seed=[1, 2**32 - 1, -5], evolution=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
 SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], swell_height=[0.0, 1.0, 3.0],
-           water_depth=[0.0, 20.0, 4.0], loop_seconds=[0, 8, 256], seed=[1, 2, 3])
+           water_depth=[0.0, 20.0, 4.0], loop_seconds=[0, 8, 4096], seed=[1, 2, 3])
 SIDES = [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]  # of pixels: each has an effect
 OCTAVES = dict(octaves=[1.0, 2.5, 6.0], gain=[0.3, 0.5, 0.9], lacunarity=[1.5, 2.0, 3.1], turn=[0.0, 0.4, 2.0])
 

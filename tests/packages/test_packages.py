@@ -793,8 +793,8 @@ class Repository(unittest.TestCase):
         self.assertIn("--stage needs one package's name", refused.stderr)
 
     def test_an_address_on_the_web_is_named(self):
-        for remote in ("https://example.org/somebody/gabor.git", "git@example.org:somebody/gabor.git"):
-            self.assertEqual(self.npm_with(remote)["repository"]["url"], "git+https://example.org/somebody/gabor.git")
+        for remote in ("https://example.org/somebody/digit.git", "git@example.org:somebody/digit.git"):
+            self.assertEqual(self.npm_with(remote)["repository"]["url"], "git+https://example.org/somebody/digit.git")
 
     def test_other_remotes_are_not(self):
         for remote in (None, "/a/folder"):

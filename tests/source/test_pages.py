@@ -335,6 +335,44 @@ class Scripts(unittest.TestCase):
         for found, expected in views:
             self.assertEqual(found, expected)
 
+    def test_an_address_opens_the_view_that_wrote_it(self):
+        views = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() => {
+            setTimeout = run => run();
+            history = { replaceState: (_, __, address) => location.hash = address };
+            return JSON.stringify(Object.keys(TABS).map(name => {
+                showTab(name);
+                const seen = Object.assign(state, { x: -1234.567, y: 7.006543, zoom: 12.34567, yaw: 2.001234, pitch: 0.7654321, distance: 1.234567 });
+                const before = { ...seen };
+                writeAddress();
+                Object.assign(state, START, { tab: Object.keys(TABS).find(other => other !== name) });
+                readAddress();
+                return [name, ...Object.keys(START)].map(each => each === name ? [name, state.tab] : [before[each], state[each]]);
+            }));
+        })()"""))
+        self.assertGreater(len(views), 3)
+        for (name, tab), *numbers in views:
+            self.assertEqual(tab, name)
+            for before, after in numbers:
+                self.assertAlmostEqual(after, before, delta=1e-6 * abs(before), msg=name)
+
+    def test_copied_materials_have_the_members_of_their_preset(self):
+        copies = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() => {
+            showTab("materials");
+            return JSON.stringify(Object.entries(DATA.presets).map(([name, preset]) => {
+                values().preset = name;
+                usePreset();
+                const own = TABS.materials.controls.filter(each => each.name in preset && each.name.startsWith(preset.material + "."));
+                return [name, own.map(each => [each.name, preset[each.name], each.value]), copied()];
+            }));
+        })()"""))
+        seen = 0
+        for preset, members, code in copies:
+            for name, value, usual in members:
+                if value != usual:
+                    seen += 1
+                    self.assertIn(f"{name.replace('-', '_')} = ", code, preset)
+        self.assertGreater(seen, 100)
+
     def test_stripes_follow_the_edges_of_a_dropped_picture(self):
         angles = [10, 60, 120, 170]  # of the waves of the picture, from x towards y, which points down
         found = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(async () => {{

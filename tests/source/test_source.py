@@ -73,8 +73,9 @@ class Setup(unittest.TestCase):
         self.assertIn(words, result.stderr)
 
     def test_names_what_to_run(self):
-        self.check_refuses("no sudo; run as root: apt-get install --no-install-recommends build-essential catch2 cmake",
-                           **{"dpkg-query": ""}, grep="exit 1", id="echo 1000")
+        for status in "", "unknown ok not-installed", "deinstall ok config-files":
+            self.check_refuses("no sudo; run as root: apt-get install --no-install-recommends build-essential catch2 cmake",
+                               **{"dpkg-query": f"echo '{status}'"}, grep='exec /bin/grep "$@"', id="echo 1000")
         for manager, words in {"dnf": "dnf install boost-devel", "pacman": "pacman -S base-devel", "brew": "brew install boost",
                                "other": "apt-get install build-essential"}.items():
             self.check_refuses(f"there is no c++ cmake glslangValidator ninja pkg-config; install what gabor needs: {words}",
