@@ -603,6 +603,31 @@ TEST_CASE("a board's pixel is the pixel of its material", "[materials]") {
     CHECK(turned > seen / 3);
 }
 
+TEST_CASE("a board turns the lost slopes of its material with the slopes", "[materials]") {
+    Random random(9);
+    gabor::test::Largest largest;
+    for (int i = 0; i < 200; ++i) {
+        GaborBoard board{};
+        const double angle = random.uniform(-3.14, 3.14);
+        board.rotation = Vec2(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+        board.joint_cover.x = random.uniform(0, 0.9);
+        GaborMaterial material = gabor_wood(Vec2(0), 7);
+        const Vec2 v = material.slope = random.uniform<Vec2>(-1, 1);
+        material.lost = {v.x * v.x, v.y * v.y, v.x * v.y};
+        const GaborMaterial laid = gabor_laid(material, board, gabor_boards_default());
+        const double free = 1 - wide(board.joint_cover.x);
+        const Vec2 turned(static_cast<float>(std::cos(angle) * wide(v.x) - std::sin(angle) * wide(v.y)),
+                          static_cast<float>(std::sin(angle) * wide(v.x) + std::cos(angle) * wide(v.y)));
+        const auto name = [&] { return fmt::format("({}, {}) by {}", v.x, v.y, angle); };
+        largest.see(wide(laid.slope.x), free * wide(turned.x), 1e-6, name);
+        largest.see(wide(laid.slope.y), free * wide(turned.y), 1e-6, name);
+        largest.see(wide(laid.lost.x), free * wide(turned.x) * wide(turned.x), 2e-6, name);
+        largest.see(wide(laid.lost.y), free * wide(turned.y) * wide(turned.y), 2e-6, name);
+        largest.see(wide(laid.lost.z), free * wide(turned.x) * wide(turned.y), 2e-6, name);
+    }
+    largest.check("a board's slopes");
+}
+
 TEST_CASE("a pixel of several boards has their mean shade, whichever way it is long", "[materials]") {
     const GaborBoards boards = gabor_boards_default();
     Random random(6);
