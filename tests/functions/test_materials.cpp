@@ -655,6 +655,52 @@ TEST_CASE("a joint is as rough as its board, and at least 0.8, and no metal", "[
     }
 }
 
+TEST_CASE("a finish's shift of the hue keeps the mean colour, near and far", "[materials]") {
+    GaborFinish finish = gabor_finish_default();
+    finish.shade_variation = finish.roughness_variation = finish.grain_contrast = finish.grain_height = 0;
+    finish.hue_variation = 0.5f;
+    GaborMaterial grey = gabor_wood(Vec2(0), 7);
+    grey.colour = gabor_vec3(0.2f);
+    Random random(10);
+    constexpr int count = 20000;
+    Vector<3> sum{};
+    for (int i = 0; i < count; ++i) {
+        const gabor_vec3 colour =
+            gabor_finished(grey, random.uniform<Vec2>(-500, 500), Vec2(0), finish, 7).colour;
+        sum = {sum[0] + wide(colour.x), sum[1] + wide(colour.y), sum[2] + wide(colour.z)};
+    }
+    for (const double channel : sum)
+        CHECK(channel / count / 0.2 == Approx(1).epsilon(0.015)); // three standard errors
+    const gabor_vec3 far =
+        gabor_finished_filtered(grey, Vec2(3, 4), Vec2(40, 0), Vec2(0, 40), Vec2(0), finish, 7).colour;
+    for (const float channel : {far.x, far.y, far.z})
+        CHECK(channel == Approx(0.2).epsilon(0.01));
+}
+
+TEST_CASE("a removed tone leaves the mean of colours of at most 1", "[materials]") {
+    gabor::test::Largest largest;
+    for (const float deviation : {0.05f, 0.3f, 0.6f, 1.0f})
+        for (const float level : {0.1f, 0.5f, 0.75f, 0.97f}) {
+            const Vec2 tone(-0.5f * deviation * deviation, deviation * deviation);
+            const gabor_vec3 colour(level, 0.6f * level, 0.9f * level);
+            const gabor_vec3 found = gabor_impl_toned(colour, tone);
+            const auto see = [&](float value, float of) {
+                double mean = 0, weight = 0;
+                for (double x = -8; x <= 8; x += 1e-3) {
+                    const double density = std::exp(-x * x / 2);
+                    weight += density;
+                    mean += density * std::min(wide(of) * std::exp(wide(tone.x) + x * wide(deviation)), 1.0);
+                }
+                largest.see(wide(value), mean / weight, 2e-4,
+                            [&] { return fmt::format("{} of {}, deviation {}", of, level, deviation); });
+            };
+            see(found.x, colour.x);
+            see(found.y, colour.y);
+            see(found.z, colour.z);
+        }
+    largest.check("a removed tone");
+}
+
 TEST_CASE("joints cover no board more than once, however wide they are", "[materials]") {
     GaborBoards boards = gabor_boards_default();
     boards.joint_width = 0.2f;

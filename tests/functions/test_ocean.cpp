@@ -482,6 +482,16 @@ TEST_CASE("a swell is at most 0.07 of its wavelength high", "[ocean]") {
     CHECK(height(30, 10, 3) == Approx(0.07 * 2 * pi / k * std::tanh(3 * k)).epsilon(0.003));
 }
 
+TEST_CASE("a sea that turns as a whole is as high along its wind", "[ocean]") {
+    const GaborOcean sea = ocean_of(12, 0, 2e5f, {4, 11, 0.4f}, 0);
+    for (const float angle : {0.7f, 1.6f, -2.5f}) {
+        const GaborOcean turned = ocean_of(12, angle, 2e5f, {4, 11, angle + 0.4f}, 0);
+        CHECK(turned.high.x == Approx(sea.high.x).epsilon(1e-4));
+        CHECK(turned.high.y == Approx(sea.high.y).epsilon(1e-4));
+    }
+    CHECK(ocean_of(12, 0, 2e5f, {4, 11, 1.5f}, 0).high.y < 0.8 * sea.high.y); // whose swell crosses the wind
+}
+
 TEST_CASE("the water's velocity is the derivative of its place", "[ocean]") {
     for (const GaborOcean& sea :
          {seas[0], seas[2], ocean_of(12, 0.8f, 2e5f, {3, 11, 2}, 0), ocean_of(12, 0.8f, 2e5f, {3, 11, 2}, 64),

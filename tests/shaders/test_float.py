@@ -21,7 +21,7 @@ MAIN = """
 uniform vec4 at;
 void main() {{
     vec2 p = (gl_FragCoord.xy - 32.5) * at.x + at.y;
-    vec2 period = vec2(4.0, 10.0 / 3.0);
+    vec2 period = vec2(4.0, 0.75);
     {output} = {value};
 }}
 """
@@ -149,7 +149,7 @@ class Values(unittest.TestCase):
                 y = x.T
                 first, second = noise(x, y, orientation, seed), noise(x, y, wide, seed)[0]
                 # float rounding of p times the nodes per kernel radius would change a tiled value with large p
-                tiled = noise(x, y, orientation, seed, (4, 10 / 3))[0].imag
+                tiled = noise(x, y, orientation, seed, (4, 0.75))[0].imag
                 stripes = second / np.maximum(abs(second), 0.5)
                 expected = [np.stack([*first.imag, tiled], -1), np.stack([stripes.real, stripes.imag, abs(second), first[0].imag], -1)]
                 for value, wanted in zip(VALUES, expected):
