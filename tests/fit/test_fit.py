@@ -333,6 +333,11 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.fit("text.png", "--lobes", "8")
         for words in ("differs visibly", "edges or objects", "Heitz and Neyret 2018, Deliot and Heitz 2019"):
             self.assertIn(words, self.said)
+        bands = np.repeat(np.random.default_rng(2).permutation([0.2, 0.8] * 8), 16)[:, None] * np.ones(256)
+        for name, values in ("rows.png", bands), ("columns.png", bands.T):
+            write_png(self.folder / name, values)
+            self.fit(name, "--lobes", "1")
+            self.assertIn("edges or objects", self.said, name)
         write_png(self.folder / "sine.png", np.tile(0.5 + 0.3 * np.sin(np.arange(256) * 0.48), (256, 1)))
         self.fit("sine.png")
         self.assertNotIn("edges or objects", self.said)
