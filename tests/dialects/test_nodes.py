@@ -786,6 +786,12 @@ class ByHand(unittest.TestCase):
         self.assertIs(gabor_noise.field_group(), group)
         self.assertEqual(len(bpy.data.node_groups), 2)
 
+    def test_nodes_of_godot_read_no_uv_where_there_is_none(self):
+        for name in "noise", "fractal":
+            for mode, has_uv in ("SPATIAL", True), ("CANVAS_ITEM", True), ("SKY", False), ("FOG", False), ("PARTICLES", False):
+                code = godot_node(name)["_get_code"](["", "f", "o", "s"], ["n", "q"], f"MODE_{mode}", None)
+                self.assertEqual("UV" in code, has_uv, f"{name}, {mode}")
+
     def test_graphs_of_materialx(self):
         """Each component of a noise has a seed of its own, and each output of a wave a component of its field."""
         defined = {each.get("name"): each for each in ElementTree.parse(materialx() / "gabor_defs.mtlx").iter("nodedef")}
