@@ -232,7 +232,7 @@ class Periods(RenderTest):
 
     @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_a_terminal_shows_progress(self):
-        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--material=strata", "--size=2000")
+        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--material=strata", "--size=2600")
         shares, left = self.assert_progress("rendering", shown)
         self.assertGreater(len(shares), 1, shown)
         for at, share, rest in zip(times, shares, left):
@@ -242,8 +242,8 @@ class Periods(RenderTest):
 
     @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_other_commands_show_progress(self):
-        for label, *command in (("rendering", "maps", "--material=strata", "--size=1000", "-o", "set"),
-                                ("rendering", "texture", "--material=strata", "--tileable", "--size=1024", "-o", "texture.exr"),
+        for label, *command in (("rendering", "maps", "--material=strata", "--size=2200", "-o", "set"),
+                                ("rendering", "texture", "--material=strata", "--tileable", "--size=2048", "-o", "texture.exr"),
                                 ("eroding", "erode", "set/height.png", "--extent=1000", "-o", "eroded.exr")):
             with self.subTest(command[0]):
                 self.assert_progress(label, self.shown_on_a_terminal(*command)[0])
