@@ -141,7 +141,7 @@ def made(shader, translation):
             texts[f"{path.stem}.wgsl"] = translation(path, "wgsl", macros=macros, before=tuple(needed(path)))
     texts |= {FIT.name: FIT.read_text()} | {f"{FIT.stem}.{ending}": translation(FIT, ending) for ending in ("wgsl", "hlsl")}
     texts |= {name: brief(text) for name, text in texts.items() if name.endswith((".glsl", ".wgsl", ".hlsl"))}
-    # A script, because a page that opens from disk can load no other text.
+    # A page opened from disk cannot read text files, but can load scripts.
     endings = "glsl", "wgsl", "hlsl"
     quoted = dict.fromkeys(re.findall(r'"(\w+)"', (DEMO / "page.js").read_text()))
     shown = [name for name in quoted if all(f"{name}.{ending}" in texts for ending in endings)]

@@ -225,20 +225,24 @@ class Periods(RenderTest):
     def assert_progress(self, label, shown):
         """Checks that each line has a share of the work, at most 100 %, and returns the shares and the seconds left."""
         lines = re.findall(r"\r([^\r\x1b]+)", shown)
-        shares, left = zip(*(map(int, re.fullmatch(rf"{label} (\d+) %, (\d+) s left", line).groups()) for line in lines))
+        found = [re.fullmatch(rf"{label} (\d+) %, (\d+) s left", line) for line in lines]
+        self.assertTrue(found and all(found), shown)
+        shares, left = zip(*(map(int, each.groups()) for each in found))
         self.assertEqual(list(shares), sorted(shares))
         self.assertTrue(50 <= shares[-1] <= 100, shown)
         return shares, left
 
     @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_a_terminal_shows_progress(self):
-        shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", "--material=strata", "--size=2600")
-        shares, left = self.assert_progress("rendering", shown)
-        self.assertGreater(len(shares), 1, shown)
-        for at, share, rest in zip(times, shares, left):
-            if share >= 3:  # at first too many, as the driver still compiles; too few only if the machine gets three times as slow
-                self.assertGreaterEqual(rest, (times[-1] - at) / 3 - 0.6, f"s left at {share} %")
-        self.assertTrue(shown.endswith("\r\x1b[K"), shown)  # the line is cleared
+        for picture in ("--view=ocean", "--size=400x1000"), ("--material=strata", "--size=2600"):
+            with self.subTest(picture):
+                shown, times = self.shown_on_a_terminal("render", "-o", "out.exr", *picture)
+                shares, left = self.assert_progress("rendering", shown)
+                self.assertGreater(len(shares), 1, shown)
+                for at, share, rest in zip(times, shares, left):
+                    if share >= 3:  # at first too many, as the driver still compiles; too few only if the machine gets three times as slow
+                        self.assertGreaterEqual(rest, (times[-1] - at) / 3 - 0.6, f"s left at {share} %")
+                self.assertTrue(shown.endswith("\r\x1b[K"), shown)  # the line is cleared
 
     @unittest.skipIf(WINDOWS, "needs a pseudo-terminal, which Wine does not pass on as a console")
     def test_other_commands_show_progress(self):

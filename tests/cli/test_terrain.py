@@ -79,9 +79,11 @@ class Terrain(ProgramTest):
             size = f"--size={width}x{height}", "--scale=20", "--seed=5"
             self.succeed("render", "--view=landscape", *size, "--pitch=90", "--yaw=0", "-o", "down.exr")
             self.succeed("render", "--view=terrain", *size, "-o", "map.exr")
-            # From straight above, the camera looks at the middle of the map, with east above.
+            # Looking straight down with a yaw of 0, the camera shows the middle of the map, with east at the top.
             down, above = (Exr(self.folder / f"{name}.exr").channels["height"] for name in ("down", "map"))
             row, middle = round(0.65 * height), width // 2
+            self.assertAlmostEqual(down[row, middle], above[height // 2, middle], delta=0.1)
+            self.assertAlmostEqual(down.std(), above.std(), delta=0.5 * above.std())
             down = np.rot90(down[row - 40:row + 40, middle - 40:middle + 40])
             above = above[height // 2 - 40:height // 2 + 40, middle - 40:middle + 40]
             self.assertGreater(np.corrcoef(down.ravel(), above.ravel())[0, 1], 0.98, size)

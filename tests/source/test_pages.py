@@ -285,6 +285,10 @@ class Scripts(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr[-2000:])
         return result.stdout
 
+    def evaluated(self, *expression):
+        """Returns the value of an expression of the live page, or else all that it copies."""
+        return json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, *expression))
+
     def assert_parses(self, name, code):
         (self.folder / name).write_text(code)
         self.assert_runs("node", "--check", self.folder / name)
@@ -299,17 +303,18 @@ class Scripts(unittest.TestCase):
             named = set(re.findall(r'(?:\$\("#|getElementById\("|\btext\(")([\w.]+)"', script))
             self.assertGreater(len(named), 5)
             self.assertEqual(named - set(ids), set())
-        texts = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, ";JSON.stringify(TEXTS)"))
-        needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', (DEMO / "page.js").read_text())))
+        texts = self.evaluated(";JSON.stringify(TEXTS)")
+        json.loads(texts["presets.json"])
+        needed = re.findall(r'\w+', " ".join(re.findall(r'needs: \[(.*)\]', script)))
         self.assertGreater(len(needed), 5)
         self.assertEqual({f"{name}.{ending}" for name in needed for ending in ("glsl", "wgsl", "hlsl")} - set(texts), set())
-        named = re.findall(r'TEXTS\["(.*?)"\]', (DEMO / "page.js").read_text())
+        named = re.findall(r'TEXTS\["(.*?)"\]', script)
         self.assertGreater(len(named), 1)
         self.assertEqual(set(named) - set(texts), set())
 
     def test_a_dragged_lobe_has_the_frequency_and_the_angle_of_its_place(self):
         places = [(3, 1), (-2, 2), (0.5, 4), (-5, 0.25)]
-        dragged = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(() => {{
+        dragged = self.evaluated(f""";(() => {{
             showTab(Object.keys(TABS).find(name => TABS[name].lobes));
             values().kind = "lobes";
             values().count = 3;
@@ -319,24 +324,24 @@ class Scripts(unittest.TestCase):
                 dragLobe(at);
                 return [...lobesInPlane()[i % 3].slice(0, 2), copied()];
             }}));
-        }})()"""))
+        }})()""")
         for i, ((x, y), (shown_x, shown_y, code)) in enumerate(zip(places, dragged, strict=True)):
             frequency, angle = map(float, re.search(rf"lobe\[{i % 3}\] = gabor_lobe\((\S+), (\S+), ", code).groups())
             for value, of in ((shown_x, x), (shown_y, y), (frequency * math.cos(angle), x), (frequency * math.sin(angle), y)):
                 self.assertAlmostEqual(value, of, delta=0.06, msg=f"{x}, {y}")
 
     def test_a_tab_opens_with_its_own_view(self):
-        views = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() =>
+        views = self.evaluated(""";(() =>
             JSON.stringify(Object.keys(TABS).map(name => {
                 Object.assign(state, { x: 9, y: 8, zoom: 7, yaw: 6, pitch: 0.5, distance: 2 });
                 showTab(name);
                 return [Object.keys(START).map(each => state[each]), Object.keys(START).map(each => start()[each])];
-            })))()"""))
+            })))()""")
         for found, expected in views:
             self.assertEqual(found, expected)
 
     def test_an_address_opens_the_view_that_wrote_it(self):
-        views = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() => {
+        views = self.evaluated(""";(() => {
             setTimeout = run => run();
             history = { replaceState: (_, __, address) => location.hash = address };
             return JSON.stringify(Object.keys(TABS).map(name => {
@@ -348,7 +353,7 @@ class Scripts(unittest.TestCase):
                 readAddress();
                 return [name, ...Object.keys(START)].map(each => each === name ? [name, state.tab] : [before[each], state[each]]);
             }));
-        })()"""))
+        })()""")
         self.assertGreater(len(views), 3)
         for (name, tab), *numbers in views:
             self.assertEqual(tab, name)
@@ -356,7 +361,7 @@ class Scripts(unittest.TestCase):
                 self.assertAlmostEqual(after, before, delta=1e-6 * abs(before), msg=name)
 
     def test_copied_materials_have_the_members_of_their_preset(self):
-        copies = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, """;(() => {
+        copies = self.evaluated(""";(() => {
             showTab("materials");
             return JSON.stringify(Object.entries(DATA.presets).map(([name, preset]) => {
                 values().preset = name;
@@ -364,7 +369,7 @@ class Scripts(unittest.TestCase):
                 const own = TABS.materials.controls.filter(each => each.name in preset && each.name.startsWith(preset.material + "."));
                 return [name, own.map(each => [each.name, preset[each.name], each.value]), copied()];
             }));
-        })()"""))
+        })()""")
         seen = 0
         for preset, members, code in copies:
             for name, value, usual in members:
@@ -375,7 +380,7 @@ class Scripts(unittest.TestCase):
 
     def test_stripes_follow_the_edges_of_a_dropped_picture(self):
         angles = [10, 60, 120, 170]  # of the waves of the picture, from x towards y, which points down
-        found = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO, f""";(async () => {{
+        found = self.evaluated(f""";(async () => {{
             const side = PAINTED_SIDE, found = [];
             let pixels, painted;
             createImageBitmap = () => ({{ width: side, height: side }});
@@ -393,14 +398,14 @@ class Scripts(unittest.TestCase):
                 found.push(Math.atan2(y, x) * 90 / Math.PI);
             }}
             return JSON.stringify(found);
-        }})()"""))
+        }})()""")
         for angle, at in zip(angles, found, strict=True):
             self.assertAlmostEqual((at - angle + 90) % 180, 90, delta=2)
 
     def test_copied_code_compiles(self):
         before = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
         shadertoy = "uniform vec3 iResolution;\nuniform float iTime;\nout vec4 shown;\n"
-        copies = json.loads(self.assert_runs("node", pathlib.Path(__file__).with_name("copied.mjs"), DEMO))
+        copies = self.evaluated()
         shaders, modules = {}, {}
         for what, language, code in copies:
             if language == "Shadertoy":
