@@ -1545,13 +1545,6 @@ RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
     }
     return hit;
 }
-RayHit seen_in_pixel(Ground ground, vec2 corner, float away, vec2 yaw, vec2 pitch, vec2 center, float pixel, vec2 pixel_at) {
-    RayHit hit;
-    if (away == 0.0) hit = seen_from_above(ground, corner + pixel * pixel_at, pixel);
-    else hit = seen_by_camera(ground, corner, away, yaw, pitch, pixel_at - center, pixel);
-    hit.light = exposed(hit.light);
-    return hit;
-}
 `,
 "light.glsl": `// Lights a material with a lamp and the light of its surroundings. The constant \`environment\` is 0 for a room with a window, 1
 const vec3 walls = vec3(0.13, 0.14, 0.16);
@@ -5634,14 +5627,6 @@ fn seen_from_above(ground: Ground, p: vec2f, pixel: f32) -> RayHit {
         hit.colour = under_water(hit.colour, vec3f(0.012, 0.05, 0.06), depth);
         hit.light = under_water(hit.light, vec3f(0.02, 0.06, 0.085), depth);
     }
-    return hit;
-}
-fn seen_in_pixel(ground: Ground, corner: vec2f, away: f32, yaw: vec2f, pitch: vec2f, center: vec2f, pixel: f32,
-                 pixel_at: vec2f) -> RayHit {
-    var hit: RayHit;
-    if (away == 0.0) { hit = seen_from_above(ground, corner + pixel * pixel_at, pixel); }
-    else { hit = seen_by_camera(ground, corner, away, yaw, pitch, pixel_at - center, pixel); }
-    hit.light = exposed(hit.light);
     return hit;
 }
 `,
@@ -9816,13 +9801,6 @@ RayHit seen_from_above(Ground ground, float2 p, float pixel) {
         hit.colour = under_water(hit.colour, float3(0.012, 0.05, 0.06), depth);
         hit.light = under_water(hit.light, float3(0.02, 0.06, 0.085), depth);
     }
-    return hit;
-}
-RayHit seen_in_pixel(Ground ground, float2 corner, float away, float2 yaw, float2 pitch, float2 center, float pixel, float2 pixel_at) {
-    RayHit hit;
-    if (away == 0.0) hit = seen_from_above(ground, corner + pixel * pixel_at, pixel);
-    else hit = seen_by_camera(ground, corner, away, yaw, pitch, pixel_at - center, pixel);
-    hit.light = exposed(hit.light);
     return hit;
 }
 `,

@@ -312,14 +312,19 @@ std::string material_snippet(const View& view) {
 
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
+    const std::string seen =
+        !view.request.view.is_flat()
+            ? glsl("seen_by_camera(ground, {}, {}, {}, {}, pixel - {}, {})", push.corner, push.distance,
+                   push.yaw, push.pitch, push.center, push.pixel)
+            : glsl("seen_from_above(ground, {} + {} * pixel, {})", push.corner, push.pixel, push.pixel);
     return includes({"noise", "erosion", "fractal"}) +
            shaders({"srgb.glsl", "ground.glsl", "ranges.glsl", "landscape.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
                 "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {}, {}, {});\n"
-                "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
+                "    return srgb(exposed({}.light));\n}}\n",
                 head(view, "vec3 colour"), members_of(view, render::Parameter::Group::erosion), push.cell.x,
                 push.cell.y, push.period, push.seed, push.reach, push.sun, view.request.cover, push.water,
-                push.corner, push.distance, push.yaw, push.pitch, push.center, push.pixel);
+                seen);
 }
 
 std::string sea_snippet(const View& view) {

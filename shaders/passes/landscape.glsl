@@ -387,13 +387,3 @@ RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
     }
     return hit;
 }
-
-// What a pixel shows, from above or, if `away` is not 0, by a camera, with light for a screen. The parameters are those of
-// passes/terrain_interface.h.
-RayHit seen_in_pixel(Ground ground, vec2 corner, float away, vec2 yaw, vec2 pitch, vec2 center, float pixel, vec2 pixel_at) {
-    RayHit hit;
-    if (away == 0.0) hit = seen_from_above(ground, corner + pixel * pixel_at, pixel);
-    else hit = seen_by_camera(ground, corner, away, yaw, pitch, pixel_at - center, pixel);
-    hit.light = exposed(hit.light);
-    return hit;
-}

@@ -32,11 +32,14 @@ void main() {
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
     Ground ground = Ground(cell, period, seed, table, reach, sun, cover, lakes ? water : -2.0);
-    RayHit hit = seen_in_pixel(ground, corner, view == view_terrain ? 0.0 : distance, yaw, pitch, center, pixel, place);
+    RayHit hit;
+    if (view == view_terrain) hit = seen_from_above(ground, corner + pixel * place, pixel);
+    else hit = seen_by_camera(ground, corner, distance, yaw, pitch, place - center, pixel);
+    vec3 light = exposed(hit.light);
     for (int i = 0; i < 3; ++i) {
         picture[at + terrain_colour + i] = hit.colour[i];
         if (!unlit)
-            picture[at + terrain_lit + i] = hit.light[i];
+            picture[at + terrain_lit + i] = light[i];
     }
     picture[at + terrain_height] = unit * hit.ground.height;
     picture[at + terrain_slope] = hit.ground.slope.x;
