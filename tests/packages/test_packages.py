@@ -826,6 +826,11 @@ class Release(Folder):
         self.assert_refused("CITATION.cff names another version")
         self.assert_refused("three numbers such as", "--set", "two")
 
+    def test_notes_are_the_newest_section_of_the_changelog(self):
+        newest = runpy.run_path(str(ROOT / "tools" / "release"))["newest"]
+        self.assertEqual(newest("# Changelog\n\n## 2.0.0\n\nNew.\n\n### Parts\n\n- a\n\n## 1.0.0\n\nOld.\n"), ("2.0.0", "\nNew.\n\n### Parts\n\n- a\n\n"))
+        self.assertIn("\n### Documents\n", newest((ROOT / "CHANGELOG.md").read_text())[1])
+
     def test_sets_the_address_of_the_page(self):
         self.assert_refused("expected one such as https", "--page", "somewhere")
         for address in ("https://example.org/gabor/", "https://example.org/other/"):
