@@ -1427,7 +1427,14 @@ view.addEventListener("webglcontextlost", event => {
         refused.add(trying);
     trying = "";
 });
-view.addEventListener("webglcontextrestored", () => { programs.clear(); paintTexture = stage = map = ocean = null; view.width = 0; enableExtensions(gl); });
+view.addEventListener("webglcontextrestored", () => {
+    programs.clear();
+    paintTexture = stage = map = ocean = null;
+    view.width = 0;
+    for (const name of ["EXT_color_buffer_float", "OES_texture_float_linear", "EXT_color_buffer_half_float"])
+        gl.getExtension(name); // at once: the next frame may draw the land's map
+    enableExtensions(gl);
+});
 
 readAddress();
 controlsOf();

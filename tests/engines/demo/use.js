@@ -289,20 +289,26 @@ async function useGraphics(pixels) {
     if ((await done)[1] !== 1 || !element("state").hidden)
         wrong("it does not draw what it compiled");
     [gl.getProgramParameter, parallel] = [own, usual];
-    showTab("noise", { look: "plain", taps: "3" });
-    frame();
-    const before = `${pixels()}`, lost = gl.getExtension("WEBGL_lose_context");
+    const lost = gl.getExtension("WEBGL_lose_context");
     const event = name => new Promise(resolve => view.addEventListener(`webglcontext${name}`, resolve, { once: true }));
-    let next = event("lost");
-    lost.loseContext();
-    await next;
-    await pause(0); // until the page's listener has allowed to restore it
-    next = event("restored");
-    lost.restoreContext();
-    await next;
-    frame();
-    if (`${pixels()}` !== before)
-        wrong("it draws otherwise after it lost its context");
+    for (const [name, wanted] of [["noise", { look: "plain", taps: "3" }], ["erosion", {}], ["sea", { moving: false }]]) {
+        showTab(name, wanted);
+        map = null; // one that was drawn for a larger view would be finer
+        frame();
+        const before = pixels();
+        let next = event("lost");
+        lost.loseContext();
+        await next;
+        await pause(0); // until the page's listener has allowed to restore it
+        next = event("restored");
+        lost.restoreContext();
+        await next;
+        frame();
+        const after = pixels(), differ = after.filter((value, i) => value !== before[i]).length / after.length;
+        if (differ > (name === "erosion" ? 0.03 : 0)) // up to 1 % of the land, at outlines of hills, was seen to differ
+            wrong(`it draws ${100 * differ} % of ${name} otherwise after it lost its context`);
+    }
+    showTab("noise", { look: "plain", taps: "3" });
     const { code } = tab();
     tab().code = () => "no GLSL";
     changed();
