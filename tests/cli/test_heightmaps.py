@@ -250,8 +250,11 @@ class Reading(HeightmapTest):
             (self.folder / "map.asc").write_text(header.format(*corner, cell) + text)
             (self.folder / "map.prj").write_text(prj)
             self.assert_read(heights, extent, "map.asc")
-        (self.folder / "map.asc").write_text("ncols 8\nnrows 6\nxllcenter 0\nyllcenter 0\ndx 2\ndy 3\n" + text.replace("\n", " "))
+        (self.folder / "map.asc").write_text("ncols 8\nnrows 6\nxllcenter 100\nyllcenter 200\ndx 2\ndy 3\n" + text.replace("\n", " "))
         self.assert_read(heights, [16, 18], "map.asc")
+        self.succeed("erode", "map.asc", "-o", "out.tif", "--octaves=0")
+        with PIL.Image.open(self.folder / "out.tif") as image:
+            self.assertEqual(image.tag_v2[33922][3:5], (99, 216.5))  # the upper left corner of the first pixel
         (self.folder / "map.asc").write_text(header.format(0, 0, 1).replace("-1", "nan") + "nan" + text[text.index(" "):].replace("-1", "nan"))
         self.succeed("erode", "map.asc", "-o", "out.tif", "--octaves=0")  # as an EXR of these tests must be finite
         with PIL.Image.open(self.folder / "out.tif") as image:
@@ -432,6 +435,10 @@ class Writing(HeightmapTest):
             found = self.read(name, *(["--size=64x48"] if name == "h.r32" else []))
             np.testing.assert_array_equal(found.channels["Y"], expected)
             self.assertEqual(found.parameters["extent"], [640, 480])
+        self.succeed(*terrain, "--region=40,10,20,30", "--write-heightmap", "part.tif")
+        with PIL.Image.open(self.folder / "part.tif") as image:
+            np.testing.assert_array_equal(np.array(image), expected[10:40, 40:60])
+            np.testing.assert_allclose((*image.tag_v2[33922], *image.tag_v2[33550]), (0, 0, 0, 400, -100, 0, 10, 10, 0), rtol=1e-12)
         self.succeed(*terrain, "--write-heightmap", "h.raw", "--full-range")
         levels, (low, high) = np.fromfile(self.folder / "h.raw", "<u2").reshape(48, 64), json.loads((self.folder / "h.raw.json").read_text())["elevation"]
         self.assertEqual((levels.min(), levels.max(), low, high), (0, 65535, expected.min(), expected.max()))

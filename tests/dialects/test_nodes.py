@@ -160,7 +160,7 @@ FRACTALS.forEach(([octaves, lacunarity, gain, shape, basis, seed], index) => {
     put(`flat_filtered${index}`, gabor.gabor_fractal_noise_filtered(gabor.gabor_place_at(p), ...steps, fractal, seed), "xy");
     put(`solid_filtered${index}`, gabor.gabor_fractal_noise_3d_filtered(gabor.gabor_place_3d_at(solid), ...solid_steps, fractal, seed), "xyz");
     put(`tiled${index}`, gabor.gabor_fractal_noise(place, fractal, seed), "xy");
-    const warp = gabor.gabor_warp(gabor.gabor_place_at(p), 0.2, fractal, seed);
+    const warp = gabor.gabor_warp(place, 0.2, fractal, seed);
     put(`warp${index}`, gabor.gabor_fractal_noise(warp.place, gabor.gabor_fractal(1, 0), 7), "xy");
     for (const part of ["dx", "dy"]) for (const axis of "xy") values[`warp${index} ${part}.${axis}`] = warp[part][axis];
 });
@@ -346,6 +346,34 @@ OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noi
            "unreal_fractal(p, 3.0f, 2.0f, 0.5f, 1.0f, 0.0f, 4.0f)": "wanted[1].noise",
            "float(FRACTAL_MAKER)": "gabor_unorm(gabor_fractal_noise(gabor_place_tiled(p, gabor_vec2(8.0f)), tiles, floatBitsToUint(0.3f)).noise)",
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
+
+LAND = '''
+    float heights[6], ridges[2], folds[2];
+    gabor_vec2 slopes[4], shifts[2];
+    gabor_vec4 cover[2];
+    const GaborErosion gullies{3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f};
+    const GaborTerrainPlace ground{{0, 0}, p, {0, 0}};
+    static const GaborOcean sea = gabor_ocean_of(GaborSea{13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 15.0f, 0.6f, 64});
+    const float pixels[] = {0.0f, 0.5f};
+    for (int i = 0; i < 2; ++i) {
+        (i ? GaborTerrain_half : GaborTerrain_float)(p, 0.2f * pixels[i], 3.0f, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3.0f, 0.3f, 0.05f, 0.7f,
+                                                     0.8f, -7.0f, heights[i], slopes[i], ridges[i], cover[i]);
+        (i ? GaborSea_half : GaborSea_float)(9.0f * p, pixels[i], 71.3f, 13.0f, 9.0e4f, 2.5f, 11.0f, 2.1f, 15.0f, 0.6f, 64.0f, -7.0f,
+                                             heights[i + 2], shifts[i], slopes[i + 2], folds[i]);
+    }
+    GaborTerrain land[2];
+    GaborWater water[2];
+    for (int i = 0; i < 2; ++i) {
+        const gabor_vec2 dx(pixels[i], 0.0f), dy(0.0f, pixels[i]);
+        land[i] = gabor_eroded_at(ground, 0.2f * dx, 0.2f * dy, gabor_terrain_at(ground, 0.2f * dx, 0.2f * dy, std::uint32_t(-7)), gullies, std::uint32_t(-7));
+        water[i] = gabor_water_filtered(9.0f * p, dx, dy, 71.3f, sea, std::uint32_t(-7));
+    }
+'''
+LAND_OUTPUTS = {f"{output}{axis}": f"{expected}{axis}" for i in range(2) for output, expected, axes in (
+    (f"heights[{i}]", f"land[{i}].height", [""]), (f"slopes[{i}]", f"land[{i}].slope", [".x", ".y"]), (f"ridges[{i}]", f"land[{i}].ridge", [""]),
+    (f"cover[{i}]", f"gabor_ground_cover(land[{i}])", [".x", ".y", ".z", ".w"]), (f"heights[{i + 2}]", f"water[{i}].height", [""]),
+    (f"shifts[{i}]", f"water[{i}].shift", [".x", ".y"]), (f"slopes[{i + 2}]", f"water[{i}].slope", [".x", ".y"]), (f"folds[{i}]", f"water[{i}].jacobian", [""]))
+    for axis in axes}
 
 
 def godot_node(name, choices=(0, 0, 0)):
@@ -768,6 +796,18 @@ class ByHand(unittest.TestCase):
                 self.assertGreater(one.std(), 0.1)
                 np.testing.assert_allclose(one, other, rtol=0, atol=1e-5)
 
+    def test_terrain_and_sea_of_unity(self):
+        """With a pixel and without; Unreal's nodes have the same text."""
+        text = "\n".join(re.sub(r'#include "gabor_\w+.hlsl"', "", (unity() / f"Gabor{name}.hlsl").read_text()) for name in ("Terrain", "Sea"))
+        text = re.sub(r"\bout (\w+)", r"\1&", re.sub(r"(?<![\w.])(\d+\.\d+)(?!\d)", r"\1f", text))
+        before = f"#include \"gabor_erosion.hpp\"\n#include \"gabor_ocean.hpp\"\n{ENGINES}using int2 = gabor_ivec2; using half4 = gabor_vec4; using float4 = gabor_vec4;\n{text}"
+        made, expected = np.split(in_cpp(self.folder, before, [*LAND_OUTPUTS, *LAND_OUTPUTS.values()], "-std=c++17", "-O1",
+                                         "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=16, code=LAND), 2)
+        for output, one, other in zip(LAND_OUTPUTS, made, expected):
+            with self.subTest(output):
+                self.assertGreater(one.std(), 0.01)
+                np.testing.assert_allclose(one, other, rtol=0, atol=1e-5)
+
     def test_nodes_of_blender(self):
         from blender_nodes import bpy, white_noise  # replaces Blender's own bpy
         sys.path.insert(0, str(NODES / "blender"))
@@ -867,7 +907,7 @@ class ByHand(unittest.TestCase):
                 const auto flat_filtered{index} = gabor_fractal_noise_filtered(gabor_place_at(p), dx, dy, {given});
                 const auto solid_filtered{index} = gabor_fractal_noise_3d_filtered(gabor_place_3d_at(solid), solid_dx, solid_dy, {given});
                 const auto tiled{index} = gabor_fractal_noise(place, {given});
-                const auto moved{index} = gabor_warp(gabor_place_at(p), 0.2f, {given});
+                const auto moved{index} = gabor_warp(place, 0.2f, {given});
                 const auto warp{index} = gabor_fractal_noise(moved{index}.place, gabor_fractal(1.0f, 0.0f), 7);"""
         for name in names[len(shown):]:
             of, _, part = name.partition(".")

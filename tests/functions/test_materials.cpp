@@ -17,6 +17,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstring>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -503,6 +504,31 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
         INFO(m.name);
         CHECK(largest < (0.015));
     }
+}
+
+TEST_CASE("the turn and the shade and tints of boards are independent, and uniform", "[materials]") {
+    GaborBoards boards = gabor_boards_default();
+    boards.turned_share = 0.5f;
+    boards.shade_variation = 0.4f;
+    boards.hue_variation = 0.2f;
+    constexpr int side = 100;
+    std::array<std::vector<double>, 4> draws;
+    for (int i = 0; i < side * side; ++i) {
+        const Vec2 p((static_cast<float>(i % side - side / 2) + 0.5f) * boards.board_width,
+                     (static_cast<float>(i / side - side / 2) + 0.5f) * boards.board_length);
+        const GaborBoard b = gabor_board(p, Vec2(0), Vec2(0), Vec2(0), boards, 7);
+        draws[0].push_back(b.rotation.y > 0.5f ? 1 : -1);
+        draws[1].push_back((1 - wide(b.shade)) / 0.2 - 1);
+        draws[2].push_back(wide(b.tint.x) / 0.2);
+        draws[3].push_back(wide(b.tint.y) / 0.2);
+    }
+    for (std::size_t i = 0; i < draws.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j) {
+            const double mean =
+                std::inner_product(draws[i].begin(), draws[i].end(), draws[j].begin(), 0.0) / (side * side);
+            INFO(i << " and " << j);
+            CHECK(std::abs(mean - (i > j ? 0 : i == 0 ? 1 : 1 / 3.0)) < 0.025); // four standard errors
+        }
 }
 
 // A share of the plane is a joint, others are turned boards; they are as long and wide as asked, also in a

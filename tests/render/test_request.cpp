@@ -145,6 +145,19 @@ TEST_CASE("every parameter survives a round trip through JSON and text exactly, 
     CHECK(render::from_json("{}") == Request());
 }
 
+TEST_CASE("each member of one lobe survives a round trip through JSON", "[request]") {
+    for (double noise::Lobe::*member : {&noise::Lobe::frequency, &noise::Lobe::orientation,
+                                        &noise::Lobe::frequency_spread, &noise::Lobe::orientation_spread,
+                                        &noise::Lobe::power, &noise::Lobe::radius, &noise::Lobe::stretch}) {
+        Request request;
+        request.lobes.front().*member = 0.75;
+        const std::string text = render::to_json(request);
+        INFO(text);
+        CHECK_FALSE(request == Request());
+        CHECK(render::from_json(text) == request);
+    }
+}
+
 TEST_CASE("colours are refused with what they cannot colour, and if their JSON is not one of a colour",
           "[request]") {
     const std::string
