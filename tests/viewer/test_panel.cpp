@@ -9,6 +9,7 @@
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
 #include "viewer/ramp_editor.hpp"
+#include "viewer/spectrum_panel.hpp"
 #include "viewer/widgets.hpp"
 
 #include "../image/scratch_folder.hpp"
@@ -29,6 +30,9 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace gabor;
 using namespace gabor::viewer;
@@ -363,6 +367,43 @@ TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles ou
     CHECK(panel_text(document).find("power") > panel_text(document).find("stretch"));
     set_parameter(document, "view", std::string("landscape"));
     CHECK(panel_text(document).find("{ -145 }") != std::string::npos); // 215 degrees
+}
+
+TEST_CASE("the frequency plane grows with a lobe that is dragged out, and its power with it") {
+    const NoWindow none;
+    Session session(document_of({}), "");
+    const auto lobe = [&]() -> noise::Lobe& { return session.document().request.lobes.front(); };
+    std::vector<std::tuple<float, float, ImU32>> drawn;
+    ImVec2 corner;
+    float side = 0;
+    const auto panel = [&] {
+        ImGui::SetNextWindowPos({});
+        ImGui::SetNextWindowSize({900, 900});
+        ImGui::Begin("spectrum");
+        corner = ImGui::GetCursorScreenPos();
+        side = 0.68f * ImGui::GetContentRegionAvail().x; // of the plane, in a wide window
+        spectrum_panel(session);
+        drawn.clear();
+        for (const ImDrawVert& vertex : ImGui::GetWindowDrawList()->VtxBuffer)
+            drawn.emplace_back(vertex.pos.x, vertex.pos.y, vertex.col);
+        ImGui::End();
+    };
+    frame({1400, 10}, panel);
+    const auto on_axis = [&](double of_half) {
+        return ImVec2(corner.x + side / 2 * (1 + static_cast<float>(of_half)), corner.y + side / 2);
+    };
+    const double reached = std::exp2(2.5); // the power of the root of 2 above 1.35 * 4
+    drag(on_axis(4 / reached), on_axis(0.99), panel);
+    CHECK(lobe().frequency == Approx(0.99 * reached).epsilon(0.01));
+    for (int i = 0; i < 2; ++i)
+        frame({1400, 10}, panel);
+    const auto grown = drawn;
+    const noise::Lobe dragged = std::exchange(lobe(), {.frequency = 1});
+    frame({1400, 10}, panel);
+    CHECK((drawn != grown));
+    lobe() = dragged;
+    frame({1400, 10}, panel);
+    CHECK((drawn == grown));
 }
 
 TEST_CASE("the panel shows only what has an effect") {
