@@ -125,6 +125,10 @@ function useView() {
     send(view, "pointercancel", 40, 40);
     if (!near([depth() / apart], [2], 1e-6))
         wrong(`two fingers that move apart zoom by ${depth() / apart}`);
+    const alone = depth();
+    drag(view, [[60, 40], [80, 40]], { pointerId: 3 });
+    if (!near([depth() / alone], [1], 1e-6))
+        wrong(`after another was cancelled, one finger zooms by ${depth() / alone}`);
     state.pitch = 0.5; // far from its limits
     for (const [there, back] of [["ArrowLeft", "ArrowRight"], ["ArrowDown", "ArrowUp"], ["+", "-"]]) {
         const before = [state.x, state.y, state.yaw, state.pitch, depth()], now = () => [state.x, state.y, state.yaw, state.pitch, depth()];
