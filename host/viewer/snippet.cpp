@@ -313,10 +313,10 @@ std::string material_snippet(const View& view) {
 std::string terrain_snippet(const View& view) {
     const auto push = view.push<passes::TerrainPush>();
     const std::string seen =
-        !view.request.view.is_flat()
-            ? glsl("seen_by_camera(ground, {}, {}, {}, {}, pixel - {}, {})", push.corner, push.distance,
-                   push.yaw, push.pitch, push.center, push.pixel)
-            : glsl("seen_from_above(ground, {} + {} * pixel, {})", push.corner, push.pixel, push.pixel);
+        view.request.view.is_flat()
+            ? glsl("seen_from_above(ground, {} + {} * pixel, {})", push.corner, push.pixel, push.pixel)
+            : glsl("seen_by_camera(ground, {}, {}, {}, {}, pixel - {}, {})", push.corner, push.distance,
+                   push.yaw, push.pitch, push.center, push.pixel);
     return includes({"noise", "erosion", "fractal"}) +
            shaders({"srgb.glsl", "ground.glsl", "ranges.glsl", "landscape.glsl"}) +
            glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"

@@ -32,7 +32,7 @@ void main() {
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
     Ground ground = Ground(cell, period, seed, table, reach, sun, cover, lakes ? water : -2.0);
-    RayHit hit;
+    RayHit hit; // the constant leaves one of these to compile
     if (view == view_terrain) hit = seen_from_above(ground, corner + pixel * place, pixel);
     else hit = seen_by_camera(ground, corner, distance, yaw, pitch, place - center, pixel);
     vec3 light = exposed(hit.light);

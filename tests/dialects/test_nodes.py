@@ -160,10 +160,11 @@ FRACTALS.forEach(([octaves, lacunarity, gain, shape, basis, seed], index) => {
     put(`flat_filtered${index}`, gabor.gabor_fractal_noise_filtered(gabor.gabor_place_at(p), ...steps, fractal, seed), "xy");
     put(`solid_filtered${index}`, gabor.gabor_fractal_noise_3d_filtered(gabor.gabor_place_3d_at(solid), ...solid_steps, fractal, seed), "xyz");
     put(`tiled${index}`, gabor.gabor_fractal_noise(place, fractal, seed), "xy");
-    const warp = gabor.gabor_warp(place, 0.2, fractal, seed);
+    const warp = gabor.gabor_warp(gabor.gabor_place_at(p), 0.2, fractal, seed);
     put(`warp${index}`, gabor.gabor_fractal_noise(warp.place, gabor.gabor_fractal(1, 0), 7), "xy");
     for (const part of ["dx", "dy"]) for (const axis of "xy") values[`warp${index} ${part}.${axis}`] = warp[part][axis];
 });
+put("tiled_warp", gabor.gabor_fractal_noise(gabor.gabor_warp(place, 0.2, gabor.gabor_fractal(2, 0.5), 5).place, gabor.gabor_fractal(1, 0), 7), "xy");
 writeFileSync(process.argv[2], Buffer.concat(Object.values(values).map(value => Buffer.from(value.parts[0].buffer))));
 console.log(JSON.stringify(Object.keys(values)));
 """
@@ -907,8 +908,9 @@ class ByHand(unittest.TestCase):
                 const auto flat_filtered{index} = gabor_fractal_noise_filtered(gabor_place_at(p), dx, dy, {given});
                 const auto solid_filtered{index} = gabor_fractal_noise_3d_filtered(gabor_place_3d_at(solid), solid_dx, solid_dy, {given});
                 const auto tiled{index} = gabor_fractal_noise(place, {given});
-                const auto moved{index} = gabor_warp(place, 0.2f, {given});
+                const auto moved{index} = gabor_warp(gabor_place_at(p), 0.2f, {given});
                 const auto warp{index} = gabor_fractal_noise(moved{index}.place, gabor_fractal(1.0f, 0.0f), 7);"""
+        code += "const auto tiled_warp = gabor_fractal_noise(gabor_warp(place, 0.2f, gabor_fractal(2.0f, 0.5f), 5).place, gabor_fractal(1.0f, 0.0f), 7);\n"
         for name in names[len(shown):]:
             of, _, part = name.partition(".")
             shown[name] = name.replace("warp", "moved").replace(" ", ".") if " " in name else f"{of}.gradient.{part}" if part else f"{of}.noise"

@@ -506,7 +506,7 @@ TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]")
     }
 }
 
-TEST_CASE("the turn and the shade and tints of boards are independent, and uniform", "[materials]") {
+TEST_CASE("turns, shades and tints of boards are independent and uniform", "[materials]") {
     GaborBoards boards = gabor_boards_default();
     boards.turned_share = 0.5f;
     boards.shade_variation = 0.4f;
