@@ -413,8 +413,8 @@ class Scripts(unittest.TestCase):
             elif language == "GLSL":
                 shaders[before + code] = f"{what}.frag"
             elif language == "HLSL":
-                # Of those that differ in numbers alone, or in lines that set a member, one: they take the most time, and GLSL has
-                # the same members.
+                # HLSL takes longest, so copies that differ only in numbers or in the members that they set are compiled once:
+                # the GLSL copies set the same members.
                 hlsl.setdefault(re.sub(r"\n *[\w.]+ = [^\n]*;|\d[\d.e+-]*u?", "", code), (f"{what}.hlsl", code))
             elif language == "TSL":
                 modules[code] = what
