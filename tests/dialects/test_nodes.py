@@ -43,6 +43,21 @@ def unity():
     return pathlib.Path(package("unity").name)
 
 
+def as_cpp(text, *pairs):
+    """Returns a shader's text with float literals of C++, after replacing patterns."""
+    for pattern, by in (*pairs, (r"(?<![\w.])(\d+\.\d+)(?![\df])", r"\1f")):
+        text = re.sub(pattern, by, text)
+    return text
+
+
+OUT = (r"\bout (\w+)", r"\1&")
+
+
+def unity_as_cpp(name):
+    """Returns the functions of a file of Unity's package as C++."""
+    return as_cpp((unity() / f"Gabor{name}.hlsl").read_text(), (r'#include "gabor_\w+.hlsl"', ""), OUT)
+
+
 def guid(path):
     return re.search(r"^guid: ([0-9a-f]{32})$", (path.parent / f"{path.name}.meta").read_text(), re.MULTILINE)[1]
 
@@ -349,7 +364,7 @@ OUTPUTS = {"a": "z_a.x", "b": "z_a.y", "c": "z_c.x", "d": "z_c.y", "e": "z_e.noi
            "color.x": "gabor_unorm(gabor_noise(p, 5.0f, 3.1416f * 130.0f / 450.0f, 7u))", "color.z": "color.x"}
 
 LAND = '''
-    float heights[6], ridges[2], folds[2];
+    float heights[4], ridges[2], folds[2];
     gabor_vec2 slopes[4], shifts[2];
     gabor_vec4 cover[2];
     const GaborErosion gullies{3, 1.3f, 0.15f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.3f, 0.05f, 0.7f, 0.8f};
@@ -767,28 +782,23 @@ class ByHand(unittest.TestCase):
 
     def test_each_output_of_nodes_that_call_the_drop_in(self):
         """Unity, Unreal, Godot, Material Maker and Shadertoy, with negative seeds, and with inputs that all differ."""
-        def replaced(text, *pairs):
-            for pattern, by in (*pairs, (r"(?<![\w.])(\d+\.\d+)(?![\df])", r"\1f")):
-                text = re.sub(pattern, by, text)
-            return text
-        of_unity = replaced((unity() / "GaborNoise.hlsl").read_text(), (r'#include "gabor_\w+.hlsl"', ""), (r"\bout (\w+)", r"\1&"))
         unreal, fractal = ((pathlib.Path(package("unreal").name) / f"Gabor {name}.hlsl").read_text() for name in ("Noise", "Fractal"))
-        shadertoy = replaced((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], (r"\bout (\w+)", r"\1&"))
+        shadertoy = as_cpp((NODES / "shadertoy" / "gabor_noise.frag").read_text().partition("// ---- your code ----")[2], OUT)
         godot = (NODES / "godot/addons/gabor_noise/gabor_noise.gd").read_text()
         names = [json.loads(re.search(pattern, godot)[1]) for pattern in (r"const NAMES := (\[.*\])", r"return (\[.*\])\[port\]")]
         defaults = json.loads(re.search(r"const DEFAULTS := (\[.*\])", godot)[1])
         self.assertEqual(dict(zip(names[0], defaults)), {"place": None, "frequency": 4, "orientation": 0.7854, "seed": 7})
         godot = re.search(r'return "(vec2 gabor = .*)" % \(inputs \+ outputs\)', godot)[1].replace("\\n", "\n") % tuple(sum(names, []))
-        fractals = [replaced(godot_node("fractal", choices)["_get_code"](["p", "4.3f", "0.6f", "-3"], [f"godots[{i}]", f"rises[{i}]"], None, "fragment"))
+        fractals = [as_cpp(godot_node("fractal", choices)["_get_code"](["p", "4.3f", "0.6f", "-3"], [f"godots[{i}]", f"rises[{i}]"], None, "fragment"))
                     for i, choices in enumerate(((2, 1, 0), (2, 1, 1)))]
         given = dict(uv="(p / 8.0f)", scale="8.0f", frequency="2.5f", orientation="30.0f", seed="0.3f", octaves="4.3f", gain="0.6f", basis="1", shape="2")
         makers = []
         for name in "noise", "fractal":
             output, = json.loads((NODES / "material_maker" / f"gabor_{name}.mmg").read_text())["shader_model"]["outputs"]
-            code = replaced(output["f"], *((rf"\${name}\b", value) for name, value in given.items()))
+            code = as_cpp(output["f"], *((rf"\${name}\b", value) for name, value in given.items()))
             makers.append(re.sub(r"GaborFractal\((.*?)\)", r"GaborFractal{\1}", code))
-        before = f"{ENGINES}{of_unity}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ float Quadrature;\n{unreal} }}\n"
-        before += f"float unreal_fractal(float2 Place, float Octaves, float Lacunarity, float Gain, float Shape, float Basis, float Seed) {{ float2 Gradient;\n{replaced(fractal)} }}\n{shadertoy}"
+        before = f"{ENGINES}{unity_as_cpp('Noise')}\nfloat unreal(float2 Place, float Frequency, float Orientation, float Seed) {{ float Quadrature;\n{unreal} }}\n"
+        before += f"float unreal_fractal(float2 Place, float Octaves, float Lacunarity, float Gain, float Shape, float Basis, float Seed) {{ float2 Gradient;\n{as_cpp(fractal)} }}\n{shadertoy}"
         values = [*OUTPUTS, *OUTPUTS.values()]
         made, expected = np.split(in_cpp(self.folder, before, [value.replace("FRACTAL_MAKER", makers[1]).replace("MAKER", makers[0]) for value in values], "-std=c++17", "-O1",
                                          "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=32, code=USED.replace("GODOT", godot).replace("FIRST", fractals[0]).replace("SECOND", fractals[1])), 2)
@@ -799,9 +809,8 @@ class ByHand(unittest.TestCase):
 
     def test_terrain_and_sea_of_unity(self):
         """With a pixel and without; Unreal's nodes have the same text."""
-        text = "\n".join(re.sub(r'#include "gabor_\w+.hlsl"', "", (unity() / f"Gabor{name}.hlsl").read_text()) for name in ("Terrain", "Sea"))
-        text = re.sub(r"\bout (\w+)", r"\1&", re.sub(r"(?<![\w.])(\d+\.\d+)(?!\d)", r"\1f", text))
-        before = f"#include \"gabor_erosion.hpp\"\n#include \"gabor_ocean.hpp\"\n{ENGINES}using int2 = gabor_ivec2; using half4 = gabor_vec4; using float4 = gabor_vec4;\n{text}"
+        before = ("#include \"gabor_erosion.hpp\"\n#include \"gabor_ocean.hpp\"\n"
+                  f"{ENGINES}using int2 = gabor_ivec2; using half4 = gabor_vec4; using float4 = gabor_vec4;\n{unity_as_cpp('Terrain')}\n{unity_as_cpp('Sea')}")
         made, expected = np.split(in_cpp(self.folder, before, [*LAND_OUTPUTS, *LAND_OUTPUTS.values()], "-std=c++17", "-O1",
                                          "-DGABOR_INLINE=inline", "-I", SHADERS / "translations", rows=16, code=LAND), 2)
         for output, one, other in zip(LAND_OUTPUTS, made, expected):
